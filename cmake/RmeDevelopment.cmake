@@ -1,0 +1,25 @@
+# What rme's own programs and tests are built with. Nothing here reaches a user of rme::rme.
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+add_library(rme_development INTERFACE)
+target_compile_features(rme_development INTERFACE cxx_std_17)
+target_compile_options(rme_development INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror)
+
+# rme_add_example(NAME SOURCE...): an example program.
+function(rme_add_example name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE rme::rme rme_development)
+endfunction()
+
+# rme_add_test(FILE [LIBRARY...]): one Catch2 program from tests/<folder>/test_<header>.cpp; each test case becomes a ctest.
+function(rme_add_test file)
+  get_filename_component(name ${file} NAME_WE)
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  set(target ${folder}_${name})
+  add_executable(${target} ${file})
+  target_link_libraries(${target} PRIVATE rme::rme rme_development rme_test_main ${ARGN})
+  target_precompile_headers(${target} REUSE_FROM rme_test_main)
+  catch_discover_tests(${target} TEST_PREFIX "${folder}: " PROPERTIES TIMEOUT 600)
+endfunction()

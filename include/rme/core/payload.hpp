@@ -1,0 +1,29 @@
+#pragma once
+/// The thing in the hand: mass and centre of mass, and the wrench that it exerts.
+#include <rme/core/types.hpp>
+#include <rme/core/wrench.hpp>
+
+namespace rme {
+
+/// A payload fixed to the end effector; all zero means an empty hand.
+template <typename Scalar>
+struct Payload {
+  Scalar mass = Scalar(0);                        ///< m [kg]
+  Vector3<Scalar> com = Vector3<Scalar>::Zero();  ///< r [m], end-effector axes, from the end-effector origin
+
+  /// theta = (m, r_x, r_y, r_z), 4x1: the order of every mean, covariance and network output.
+  Vector4<Scalar> vector() const noexcept { return (Vector4<Scalar>() << mass, com).finished(); }
+  static Payload from_vector(const Vector4<Scalar>& theta) noexcept { return {theta[0], theta.template tail<3>()}; }
+};
+
+/// Wrench of a payload at rest on the end effector, w = [ m g ; (R r) x (m g) ] (docs/theory.md, payload wrench).
+/// @param rotation  R, end-effector axes to world axes
+/// @param gravity   g [m/s^2], world axes
+template <typename Scalar>
+Wrench<Scalar> payload_wrench(const Payload<Scalar>& payload, const Matrix3<Scalar>& rotation,
+                              const Vector3<Scalar>& gravity = standard_gravity<Scalar>()) noexcept {
+  const Vector3<Scalar> weight = payload.mass * gravity;
+  return {weight, (rotation * payload.com).cross(weight)};
+}
+
+}  // namespace rme

@@ -1,0 +1,31 @@
+#pragma once
+/// Checks at construction. This is the only place where rme throws (weights from JSON apart).
+#include <string>
+#if defined(__cpp_exceptions)
+#include <stdexcept>
+#else
+#include <cstdlib>
+#endif
+
+namespace rme::detail {
+
+/// Refuses a configuration value. Without exceptions (-fno-exceptions) a wrong configuration ends the program at
+/// construction, before the loop starts, which is the one place where that is safe.
+[[noreturn]] inline void refuse(const std::string& message) {
+#if defined(__cpp_exceptions)
+  throw std::invalid_argument(message);
+#else
+  (void)message;
+  std::abort();
+#endif
+}
+
+/// Refuses `value` unless `good`. Write the condition so that a NaN fails it: require(x > 0, ...), not !(x <= 0).
+/// @param field     what a user would have to change, e.g. "MismatchDetectorConfig::window"
+/// @param expected  e.g. "> 0 s"
+template <typename Scalar>
+void require(bool good, const char* field, const char* expected, Scalar value) {
+  if (!good) refuse(std::string(field) + ": expected " + expected + ", got " + std::to_string(value));
+}
+
+}  // namespace rme::detail

@@ -1,0 +1,37 @@
+#pragma once
+/// What a call in the control loop reports instead of throwing.
+#include <cstdint>
+
+namespace rme {
+
+/// Outcome of a real-time call. Unless the call says otherwise, any value but Ok means: the input was refused, the
+/// object is as it was, and no output was written.
+enum class [[nodiscard]] Status : std::uint8_t{
+    Ok,
+    NonFiniteInput,       ///< a NaN or an infinity came in
+    NotARotation,         ///< a rotation matrix is not orthonormal with determinant +1
+    NotReady,             ///< too little data yet for an answer
+    NotPositiveDefinite,  ///< a matrix that must be positive definite is not
+    NotConverged,         ///< the bound on iterations was reached; the best iterate is returned
+};
+
+/// The enumerator's name, for logs.
+constexpr const char* to_string(Status status) noexcept {
+  switch (status) {
+    case Status::Ok:
+      return "Ok";
+    case Status::NonFiniteInput:
+      return "NonFiniteInput";
+    case Status::NotARotation:
+      return "NotARotation";
+    case Status::NotReady:
+      return "NotReady";
+    case Status::NotPositiveDefinite:
+      return "NotPositiveDefinite";
+    case Status::NotConverged:
+      return "NotConverged";
+  }
+  return "unknown";
+}
+
+}  // namespace rme
