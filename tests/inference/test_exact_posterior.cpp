@@ -18,7 +18,7 @@ TEST_CASE("exact_posterior: moments and evidence are those of a dense four-dimen
     const auto event = random_event(random, 3);  // few samples: wide, skewed posteriors
     rme::PayloadLikelihood<double> likelihood;
     auto precision = event.precision;
-    precision *= 0.002;
+    precision *= 0.0005;
     REQUIRE(event.statistics.likelihood(precision, event.nuisance, likelihood) == Status::Ok);
     const auto prior = wide_prior();
     rme::ExactPosterior<double> exact;
