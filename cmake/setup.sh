@@ -42,8 +42,8 @@ configure() {
   cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release "$@"
 }
 
-# build [TARGET...]: these targets, or everything.
+# build TARGET...
 build() {
   say "building with $jobs jobs"
-  cmake --build build --parallel "$jobs" ${1:+--target "$@"}
+  cmake --build build --parallel "$jobs" --target "$@"
 }

@@ -6,6 +6,6 @@ source "$(dirname "$0")/../cmake/setup.sh"
 
 install_packages "${build_packages[@]}" catch2 python3-numpy python3-matplotlib
 configure -DRME_BUILD_EXAMPLES=ON -DRME_BUILD_TESTS=ON
-build
+build all
 say "testing"
 exec ctest --test-dir build --no-tests=error --output-on-failure -j "$jobs" "$@"
