@@ -2,6 +2,8 @@
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
+set(CMAKE_CXX_EXTENSIONS OFF)  # names the standard on every command line, which clang-tidy needs as well
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 add_library(rme_development INTERFACE)
 target_compile_features(rme_development INTERFACE cxx_std_17)

@@ -75,7 +75,7 @@ class Arguments {
   std::string positional(const std::string& meaning) {
     if (words_.empty()) throw ArgumentError(meaning + ": missing");
     if (is_option(words_.front())) throw ArgumentError(words_.front() + ": unknown option");
-    const std::string word = words_.front();
+    std::string word = words_.front();
     words_.erase(words_.begin());
     return word;
   }
