@@ -1,6 +1,5 @@
 #pragma once
 /// The thing in the hand: mass and centre of mass, and the wrench that it exerts.
-#include <Eigen/Geometry>  // cross()
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
 
