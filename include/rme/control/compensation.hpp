@@ -1,0 +1,77 @@
+#pragma once
+/// Torque that carries the estimated payload, and the ramp that lets it in (Appendix B of the paper).
+#include <rme/core/payload.hpp>
+#include <rme/core/require.hpp>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// tau_comp = -J^T w(theta_hat) [N m]: holds the payload against gravity. Added to the nominal controller's torque
+/// after all else (CPIC included); the nominal model is never corrected (docs/theory_control.md, compensation).
+/// @param payload   theta_hat, the estimate
+/// @param jacobian  J, 6xDofs
+/// @param rotation  R, end-effector axes to world axes
+/// @param gravity   g [m/s^2], world axes
+template <typename Scalar, int Dofs>
+JointVector<Scalar, Dofs> compensation_torque(const Payload<Scalar>& payload,
+                                              const Eigen::Matrix<Scalar, 6, Dofs>& jacobian,
+                                              const Matrix3<Scalar>& rotation,
+                                              const Vector3<Scalar>& gravity = standard_gravity<Scalar>()) noexcept {
+  return -(jacobian.transpose() * payload_wrench(payload, rotation, gravity).vector());
+}
+
+/// Settings of CompensationRamp.
+template <typename Scalar, int Dofs>
+struct CompensationRampConfig {
+  /// How fast the compensation may change [N m/s], per joint, > 0. It shares the arm's torque-rate limit (1000 N m/s on
+  /// a Panda) with the nominal controller: the default leaves that one half.
+  JointVector<Scalar, Dofs> torque_rate = JointVector<Scalar, Dofs>::Constant(Scalar(500));
+};
+
+/// Lets a compensation torque in so that no step between two ticks exceeds torque_rate * period in any joint, whatever
+/// the estimate and however it jumps. All joints move by the same fraction of their way: between two estimates at one
+/// pose the torque stays that of a payload between the two. A target that moves slower than the limit is met exactly.
+template <typename Scalar, int Dofs>
+class CompensationRamp {
+ public:
+  /// @param period  control period [s], > 0. The nominal one, not the measured one: a late tick must not make a step.
+  /// @throws std::invalid_argument naming the field out of range
+  explicit CompensationRamp(
+      Scalar period, const CompensationRampConfig<Scalar, Dofs>& config = CompensationRampConfig<Scalar, Dofs>());
+
+  /// Moves the torque towards `target` [N m] by one tick's share.
+  /// @return Ok, or NonFiniteInput: the torque stays what it was
+  Status update(const JointVector<Scalar, Dofs>& target) noexcept;
+
+  /// The compensation torque to command now [N m]; zero before the first update().
+  const JointVector<Scalar, Dofs>& torque() const noexcept { return torque_; }
+  /// Back to zero at once. That is a torque step: only for use while the arm is not commanded.
+  void reset() noexcept { torque_.setZero(); }
+
+ private:
+  JointVector<Scalar, Dofs> max_step_;  // [N m] per tick
+  JointVector<Scalar, Dofs> torque_ = JointVector<Scalar, Dofs>::Zero();
+};
+
+template <typename Scalar, int Dofs>
+CompensationRamp<Scalar, Dofs>::CompensationRamp(Scalar period, const CompensationRampConfig<Scalar, Dofs>& config)
+    : max_step_(config.torque_rate * period) {
+  detail::require(period > 0, "CompensationRamp::period", "> 0 s", period);
+  for (int joint = 0; joint < Dofs; ++joint) {
+    detail::require(config.torque_rate[joint] > 0, "CompensationRampConfig::torque_rate", "> 0 N m/s",
+                    config.torque_rate[joint]);
+  }
+}
+
+template <typename Scalar, int Dofs>
+Status CompensationRamp<Scalar, Dofs>::update(const JointVector<Scalar, Dofs>& target) noexcept {
+  const JointVector<Scalar, Dofs> way = target - torque_;
+  if (!way.allFinite()) return Status::NonFiniteInput;  // also a finite target whose distance overflows
+  const Scalar ticks = way.cwiseQuotient(max_step_).cwiseAbs().maxCoeff();
+  // Adding the whole way is not the same as assigning the target: only the latter is free of rounding.
+  torque_ = ticks > Scalar(1) ? JointVector<Scalar, Dofs>(torque_ + way / ticks) : target;
+  return Status::Ok;
+}
+
+}  // namespace rme
