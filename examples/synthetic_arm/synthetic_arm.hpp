@@ -88,8 +88,6 @@ class SyntheticArm {
 
   /// All that is attached now, as one body in flange axes: the truth that an estimator looks for.
   RigidBody payload() const { return payload_at(time()); }
-  /// External torque that acts now, friction and sensor faults apart [N m].
-  Vector friction_torque() const { return friction_; }
 
  private:
   struct Attached {
