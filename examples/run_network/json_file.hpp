@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace rme::examples {
+
 /// The JSON value that a text consists of.
 /// @throws std::exception saying where it is not JSON
 inline nlohmann::json parse_strictly(std::istream& text) {
@@ -36,3 +38,5 @@ inline nlohmann::json read_json_file(const std::string& path) {
     throw std::runtime_error(path + ": " + error.what());
   }
 }
+
+}  // namespace rme::examples

@@ -17,7 +17,7 @@ namespace {
 using Network = rme::MismatchNetwork<double>;
 
 std::unique_ptr<Network> load_network(const std::string& path) {
-  const nlohmann::json file = read_json_file(path);
+  const nlohmann::json file = rme::examples::read_json_file(path);
   try {
     return std::make_unique<Network>(rme::model_from_json<double>(file).weights);
   } catch (const std::exception& error) {
@@ -26,7 +26,7 @@ std::unique_ptr<Network> load_network(const std::string& path) {
 }
 
 std::vector<Network::Output> run(const Network& network, const std::string& path) {
-  const nlohmann::json file = read_json_file(path);
+  const nlohmann::json file = rme::examples::read_json_file(path);
   if (!file.is_array()) throw std::runtime_error(path + ": expected an array of windows");
   std::vector<Network::Output> outputs(file.size());
   for (std::size_t i = 0; i < file.size(); ++i) {

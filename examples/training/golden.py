@@ -4,7 +4,7 @@
     golden.py                     for a network with reproducible random weights
     golden.py --model MODEL.json  for the network of a weights file
 
-Prints {"model": .., "windows": 1000, "outputs": [1000][4]}. Weights and windows come from the generator below, so that
+Prints {"windows": 1000, "outputs": [1000][4]}. Weights and windows come from the generator below, so that
 the file holds answers only; tests/network/golden.hpp has the same generator in C++.
 """
 import argparse
@@ -54,20 +54,25 @@ def random_windows(uniform, network, count):
     return network.mean + 3 * network.std * uniform.tensor(count, SAMPLES, CHANNELS)
 
 
+def vectors(model, count):
+    """The answers to `count` windows as JSON text; model is a weights file's JSON value, or None for random weights."""
+    network = random_network(Uniform(1)) if model is None else from_json(model)
+    with torch.no_grad():
+        outputs = network(random_windows(Uniform(2), network, count))
+    rows = ",\n".join(json.dumps(row) for row in outputs.tolist())
+    return f'{{"windows": {count}, "outputs": [\n{rows}\n]}}\n'
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--model", help="weights file; default: random weights")
     parser.add_argument("--windows", type=int, default=1000)
     arguments = parser.parse_args()
+    model = None
     if arguments.model:
         with open(arguments.model, encoding="utf-8") as file:
-            network = from_json(json.load(file))
-    else:
-        network = random_network(Uniform(1))
-    with torch.no_grad():
-        outputs = network(random_windows(Uniform(2), network, arguments.windows))
-    rows = ",\n".join(json.dumps(row) for row in outputs.tolist())
-    print(f'{{"windows": {arguments.windows}, "outputs": [\n{rows}\n]}}')
+            model = json.load(file)
+    print(vectors(model, arguments.windows), end="")
 
 
 if __name__ == "__main__":

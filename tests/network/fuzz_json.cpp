@@ -237,7 +237,7 @@ int main(int argc, char** argv) {
     if (below(random, 2) == 0) {
       std::istringstream stream(spoil_text(text, random));
       try {
-        file = parse_strictly(stream);
+        file = rme::examples::parse_strictly(stream);
       } catch (const std::exception&) {
         ++unparsed;
         continue;

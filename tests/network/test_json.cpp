@@ -232,7 +232,7 @@ TEST_CASE("JSON: a model with a NaN is not written", "[json]") {
 TEST_CASE("JSON: a file with a key twice, a number beyond every double, or a literal NaN is no JSON", "[json]") {
   const auto parse = [](const char* text) {
     std::istringstream stream(text);
-    return parse_strictly(stream);
+    return rme::examples::parse_strictly(stream);
   };
   CHECK(parse(R"({"a": {"b": 1}, "c": {"b": 2}})").size() == 2);
   CHECK_THROWS_WITH(parse(R"({"a": {"b": 1, "b": 2}})"), contains("\"b\" stands twice"));
