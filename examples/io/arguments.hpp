@@ -80,6 +80,9 @@ class Arguments {
     return word;
   }
 
+  /// Whether every word has been taken.
+  bool empty() const noexcept { return words_.empty(); }
+
   /// Refuses whatever no question has taken.
   void finish() const {
     if (words_.empty()) return;

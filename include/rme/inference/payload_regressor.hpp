@@ -1,17 +1,10 @@
 #pragma once
 /// The payload model as a regression: the joint torque of a payload is m (a + B r).
+#include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/types.hpp>
 
 namespace rme {
-
-/// How the end effector moves; all zero for an arm at rest. World axes, at the end-effector origin.
-template <typename Scalar>
-struct FlangeMotion {
-  Vector3<Scalar> angular_velocity = Vector3<Scalar>::Zero();      ///< omega [rad/s]
-  Vector3<Scalar> linear_acceleration = Vector3<Scalar>::Zero();   ///< [m/s^2], of the origin, gravity not included
-  Vector3<Scalar> angular_acceleration = Vector3<Scalar>::Zero();  ///< alpha [rad/s^2]
-};
 
 /// a and B of one sample: a payload (m, r) exerts the joint torque tau = m (a + B r).
 template <typename Scalar, int Dofs>
