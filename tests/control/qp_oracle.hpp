@@ -30,7 +30,7 @@ inline Residuals kkt_residuals(const Matrix& Q, const Vector& x_u, const Vector&
                                const std::vector<Constraint>& constraints) {
   Residuals r;
   Vector gradient = Q * (x - x_u);
-  double gradient_scale = Q.norm() * (x - x_u).norm() + std::numeric_limits<double>::min();
+  double gradient_scale = (Q * x).norm() + (Q * x_u).norm() + std::numeric_limits<double>::min();
   double largest = 0;
   for (const Constraint& c : constraints) largest = std::max(largest, std::abs(c.multiplier) * c.a.norm());
   for (const Constraint& c : constraints) {

@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <rme/control/active_set_solver.hpp>
 
 #include "qp_oracle.hpp"
@@ -237,6 +238,55 @@ TEST_CASE("ActiveSetSolver: random problems with degenerate, parallel and soft r
 TEST_CASE("ActiveSetSolver: a million random problems meet the KKT conditions", "[.long]") {
   check_kkt<6>(4003, 500000);
   check_kkt<7>(4004, 500000);
+}
+
+TEST_CASE("ActiveSetSolver: no point of the box violates an infeasible set less", "[qp]") {
+  // The measure is sum_i violation_i^2 / (a_i P a_i). Projected gradient descent from the answer must find nothing
+  // better.
+  const unsigned seed = 4009;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform;
+  rme::ActiveSetSolver<double, 7, 28> solver;
+  int infeasible = 0;
+  for (int i = 0; i < 200; ++i) {
+    CAPTURE(i);
+    RandomProblem<7, 28> p(random, 10, false);
+    for (int k = 0; k < 6; ++k) {
+      const Eigen::Matrix<double, 7, 1> a = oracle::random_matrix(random, 7, 1);
+      REQUIRE(p.rows.add(a, a.dot(p.x_max) + 10 * uniform(random)) == rme::Status::Ok);
+    }
+    if (solver.solve(p.P, p.x_u, p.rows, p.x_min, p.x_max) == rme::Status::Ok) continue;
+    ++infeasible;
+    REQUIRE((solver.solution() - p.x_min).minCoeff() >= 0);
+    REQUIRE((p.x_max - solver.solution()).minCoeff() >= 0);
+    double lipschitz = 0;
+    for (int k = 0; k < p.rows.size(); ++k) {
+      lipschitz += 2 * p.rows[k].squared_norm / p.rows[k].a.dot(p.P * p.rows[k].a);
+    }
+    const auto measure = [&](const Eigen::Matrix<double, 7, 1>& x, Eigen::Matrix<double, 7, 1>& gradient) {
+      double sum = 0;
+      gradient.setZero();
+      for (int k = 0; k < p.rows.size(); ++k) {
+        const double value = p.rows[k].a.dot(x), scale = p.rows[k].a.dot(p.P * p.rows[k].a);
+        const double miss = std::max(p.rows[k].lower - value, 0.0) - std::max(value - p.rows[k].upper, 0.0);
+        sum += miss * miss / scale;
+        gradient -= 2 * miss / scale * p.rows[k].a;
+      }
+      return sum;
+    };
+    Eigen::Matrix<double, 7, 1> x = solver.solution(), gradient;
+    const double claimed = measure(x, gradient);
+    double best = claimed;
+    for (int step = 0; step < 3000; ++step) {
+      x = (x - gradient / lipschitz).cwiseMax(p.x_min).cwiseMin(p.x_max);
+      best = measure(x, gradient);
+    }
+    // The answer minimises 1/2 (x - x_u)^T Q (x - x_u) + measure / (2 sqrt(epsilon)), hence this bound for every x.
+    const double root = std::sqrt(std::numeric_limits<double>::epsilon());
+    REQUIRE(claimed - best <= root * (x - p.x_u).dot(p.Q * (x - p.x_u)) * (1 + 1e-6));
+  }
+  CHECK(infeasible > 100);
 }
 
 template <int Size>

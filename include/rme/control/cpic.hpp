@@ -132,10 +132,12 @@ Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input,
   const Vector unconstrained = input.jacobian.transpose() * wrench + N * input.null_torque;
   const JointMatrix<Scalar, Dofs> inverse_hessian =
       (input.jacobian.transpose() * input.jacobian + N / config_.null_space_weight) / 2;
+  // Finite input may still overflow in a product.
+  if (!unconstrained.allFinite() || !inverse_hessian.allFinite()) return Status::NonFiniteInput;
   const Status status =
       solver_.solve(inverse_hessian, unconstrained, torque_rows_, -config_.torque_limit - input.other_torque,
                     config_.torque_limit - input.other_torque);
-  if (!solver_.solution().allFinite()) {  // finite input whose products overflow
+  if (!solver_.solution().allFinite()) {
     solver_.reset();
     return Status::NonFiniteInput;
   }
