@@ -1,8 +1,24 @@
 #pragma once
 /// All of rme but its JSON form (rme/network/json.hpp, target rme::json).
 #include <rme/control/compensation.hpp>
+#include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
+#include <rme/core/require.hpp>
 #include <rme/core/ring_buffer.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
+#include <rme/estimator.hpp>
+#include <rme/inference/exact_posterior.hpp>
+#include <rme/inference/payload_gaussian.hpp>
+#include <rme/inference/payload_likelihood.hpp>
+#include <rme/inference/payload_regressor.hpp>
+#include <rme/inference/payload_statistics.hpp>
+#include <rme/inference/sensor_model.hpp>
+#include <rme/inference/variational_inference.hpp>
+#include <rme/sensing/mismatch_detector.hpp>
+#include <rme/sensing/momentum_observer.hpp>
+#include <rme/sensing/onset.hpp>
+#include <rme/sensing/proprioception.hpp>
+#include <rme/sensing/pseudo_wrench.hpp>
+#include <rme/sensing/sample_window.hpp>

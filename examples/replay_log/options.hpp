@@ -1,0 +1,58 @@
+#pragma once
+/// The command-line options that every program which replays logs understands.
+#include <algorithm>
+#include <string>
+
+#include "io/arguments.hpp"
+#include "replay_log/replay.hpp"
+
+namespace rme::examples {
+
+constexpr const char* kReplayUsage =
+    "  --at T              estimate from the samples [T, T + window), whatever the detector says [s]\n"
+    "  --window S          how long samples are collected [s] (0.2)\n"
+    "  --baseline B        auto (default), none, or T0:T1, when the hand is known to be empty [s]\n"
+    "  --preset NAME       sensing of the arm: unknown (default), link_side, joint_friction\n"
+    "  --detector NAME     robust (default), or published: Algorithm 1 to the letter\n";
+
+/// Takes the options above out of `arguments`.
+/// @throws ArgumentError naming what is wrong
+inline ReplayOptions parse_replay_options(Arguments& arguments) {
+  ReplayOptions options;
+  auto& estimator = options.estimator;
+  options.at = arguments.number("--at");
+  estimator.collection = arguments.number("--window").value_or(estimator.collection);
+  const std::string preset = arguments.text("--preset").value_or("unknown");
+  if (preset == "link_side")
+    estimator.sensor = SensorModel<double, 7>::link_side();
+  else if (preset == "joint_friction")
+    estimator.sensor = SensorModel<double, 7>::joint_friction();
+  else if (preset != "unknown")
+    throw ArgumentError("--preset: \"" + preset + "\" is none of unknown, link_side, joint_friction");
+  const std::string detector = arguments.text("--detector").value_or("robust");
+  if (detector == "published")
+    estimator.detector = MismatchDetectorConfig::published();
+  else if (detector != "robust")
+    throw ArgumentError("--detector: \"" + detector + "\" is none of robust, published");
+  const std::string baseline = arguments.text("--baseline").value_or("auto");
+  if (baseline == "none") {
+    estimator.baseline = 0;
+  } else if (baseline != "auto") {
+    const std::size_t colon = baseline.find(':');
+    const auto t0 = parse_number(baseline.substr(0, colon));
+    const auto t1 = colon == std::string::npos ? std::nullopt : parse_number(baseline.substr(colon + 1));
+    if (!t0 || !t1 || !(*t0 < *t1))
+      throw ArgumentError("--baseline: \"" + baseline + "\" is none of auto, none, T0:T1 with T0 < T1");
+    if (options.at && *t1 > *options.at) throw ArgumentError("--baseline: \"" + baseline + "\" ends after --at");
+    options.baseline = {*t0, *t1};
+  }
+  // The window must hold whatever was asked for.
+  const double tare = options.baseline ? options.baseline->second - options.baseline->first : 0;
+  estimator.window.duration =
+      std::max(estimator.window.duration, estimator.detector.window + std::max(estimator.collection, tare) + 0.5);
+  if (estimator.window.duration > 60) throw ArgumentError("--window and --baseline must be shorter than a minute");
+  estimator.validate(1e-3);
+  return options;
+}
+
+}  // namespace rme::examples

@@ -1,0 +1,111 @@
+// replay_log: would rme have noticed, and what would it have said? A recording of an arm, played through the estimator.
+//
+// Reads a CSV log (plain or gzip) of a Franka Panda; columns by their names: t, q1..q7 and tau_ext1..7, or tau1..7
+// (measured torque, gravity included) with dq1..7; dq1..7 and the truth m, rx, ry, rz if there. Prints each estimate,
+// as a table or with --json as one JSON object per line. Exit codes: 0; 2 unusable arguments; 3 unreadable log.
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "replay_log/options.hpp"
+
+namespace {
+
+using namespace rme::examples;
+using nlohmann::ordered_json;
+
+/// What the command line asks for.
+struct Request {
+  std::string log;
+  ReplayOptions options;
+  bool json = false;
+};
+
+Request parse(int argc, char** argv) {
+  Arguments arguments(argc, argv);
+  Request request;
+  request.json = arguments.flag("--json");
+  request.options = parse_replay_options(arguments);
+  request.log = arguments.positional("LOG.csv");
+  arguments.finish();
+  return request;
+}
+
+ordered_json to_json(const ReplayedEstimate& e) {
+  const auto vector = [](const auto& v) { return std::vector<double>(v.data(), v.data() + v.size()); };
+  const auto& p = e.posterior;
+  ordered_json covariance;
+  for (int row = 0; row < 4; ++row) covariance.push_back(vector(rme::Vector4<double>(p.covariance.row(row))));
+  ordered_json out;
+  out["type"] = "estimate";
+  out["event"] = e.event;
+  out["final"] = true;
+  out["t"] = e.t;
+  out["detected_at"] = e.detected_at ? ordered_json(*e.detected_at) : ordered_json(nullptr);
+  out["window"] = {e.window_begin, e.window_end};
+  out["mass"] = p.mean[0];
+  out["com"] = vector(p.payload().com);
+  out["std"] = vector(p.standard_deviation());
+  out["covariance"] = covariance;
+  out["elapsed_us"] = e.elapsed_us;
+  out["truth"] = e.truth ? ordered_json(vector(*e.truth)) : ordered_json(nullptr);
+  return out;
+}
+
+void print_row(const ReplayedEstimate& e) {
+  const auto& p = e.posterior;
+  const rme::Vector4<double> sd = p.standard_deviation();
+  std::printf("%5d %8.3f %8.3f  %7.3f +- %5.3f", e.event, e.detected_at.value_or(e.window_begin), e.t, p.mean[0],
+              sd[0]);
+  for (int i = 1; i < 4; ++i) std::printf("  %7.1f +- %5.1f", 1e3 * p.mean[i], 1e3 * sd[i]);
+  std::printf("  %8.1f\n", e.elapsed_us);
+  if (!e.truth) return;
+  std::printf("%5s %8s %8s  %7.3f %8s", "", "", "truth", (*e.truth)[0], "");
+  for (int i = 1; i < 4; ++i) std::printf("  %7.1f %8s", 1e3 * (*e.truth)[i], "");
+  std::printf("\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Request request;
+  try {
+    request = parse(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "replay_log: " << error.what() << "\nusage: replay_log LOG.csv[.gz] [options]\n"
+              << kReplayUsage << "  --json              one JSON object per line\n";
+    return 2;
+  }
+  try {
+    const Log<7> log = read_log<7>(request.log);
+    require_external_torque(log);
+    if (log.size() < 2) throw LogError(log.name + ": has a single row, which gives no sample rate");
+    if (!request.json) {
+      std::printf("%5s %8s %8s  %16s  %16s  %16s  %16s  %8s\n", "event", "from [s]", "at [s]", "mass [kg]", "x [mm]",
+                  "y [mm]", "z [mm]", "took[us]");
+    }
+    const ReplaySummary summary =
+        replay(log, request.options, rme::FixedPrior<double>(), [&request](const ReplayedEstimate& estimate) {
+          if (request.json)
+            std::cout << to_json(estimate).dump() << "\n";
+          else
+            print_row(estimate);
+        });
+    if (request.json) {
+      ordered_json out;
+      out["type"] = "summary";
+      out["samples"] = summary.samples;
+      out["estimates"] = summary.estimates;
+      out["rejected"] = summary.rejected;
+      std::cout << out.dump() << "\n";
+    } else {
+      std::printf("%zu samples, %d estimates, %d rejected\n", summary.samples, summary.estimates, summary.rejected);
+    }
+  } catch (const std::exception& error) {
+    std::cerr << "replay_log: " << error.what() << "\n";
+    return 3;
+  }
+  return 0;
+}

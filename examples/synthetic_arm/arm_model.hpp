@@ -1,0 +1,236 @@
+#pragma once
+/// Rigid-body kinematics and dynamics of a serial arm with revolute joints, from a table of numbers.
+///
+/// Every spatial quantity is written in world axes about the world origin, so that sums over bodies need no transforms:
+/// the motion of joint i is S_i = (o_i x z_i, z_i), linear part first, and inertias of bodies simply add
+/// (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapters 5 and 6).
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <rme/core/types.hpp>
+
+namespace rme::examples {
+
+/// A rigid body in the axes that it is fixed to: link axes for a link, flange axes for a payload.
+struct RigidBody {
+  double mass = 0;                                    ///< [kg]
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();      ///< centre of mass [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the centre of mass [kg m^2]
+};
+
+/// Both bodies welded together.
+inline RigidBody operator+(const RigidBody& a, const RigidBody& b) {
+  RigidBody sum;
+  sum.mass = a.mass + b.mass;
+  if (!(sum.mass > 0)) return sum;
+  sum.com = (a.mass * a.com + b.mass * b.com) / sum.mass;
+  sum.inertia = a.inertia + b.inertia;
+  for (const RigidBody* body : {&a, &b}) {
+    const Eigen::Matrix3d lever = skew(body->com - sum.com);
+    sum.inertia -= body->mass * lever * lever;
+  }
+  return sum;
+}
+
+/// The same shape with `factor` of the density: how a payload that is being handed over weighs in.
+inline RigidBody operator*(double factor, const RigidBody& body) {
+  return {factor * body.mass, body.com, factor * body.inertia};
+}
+
+/// A solid box of even density, e.g. a payload; a box is more honest than a point mass.
+/// @param size  edge lengths along the axes that the body is fixed to [m]
+inline RigidBody box(double mass, const Eigen::Vector3d& com, const Eigen::Vector3d& size) {
+  const Eigen::Vector3d s = size.cwiseAbs2();
+  return {mass, com, (mass / 12 * Eigen::Vector3d(s[1] + s[2], s[0] + s[2], s[0] + s[1])).asDiagonal()};
+}
+
+/// One row of an arm's table. The joint turns the link about the link's own z axis.
+struct Link {
+  Eigen::Vector3d offset;    ///< from the parent's origin to this one, parent axes [m]
+  Eigen::Matrix3d rotation;  ///< this link's axes at joint angle zero, in parent axes
+  RigidBody body;
+};
+
+/// A Link by its numbers, in the order in which robot descriptions give them.
+/// @param roll     fixed rotation about the parent's x axis, after the offset [rad]
+/// @param inertia  Ixx Iyy Izz Ixy Ixz Iyz about the centre of mass, link axes [kg m^2]
+inline Link link(const Eigen::Vector3d& offset, double roll, double mass, const Eigen::Vector3d& com,
+                 const std::array<double, 6>& inertia) {
+  const auto& [xx, yy, zz, xy, xz, yz] = inertia;
+  Eigen::Matrix3d tensor;
+  tensor << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  return {offset, Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()).toRotationMatrix(), {mass, com, tensor}};
+}
+
+/// Flange pose and Jacobian.
+template <int Dofs>
+struct Kinematics {
+  Eigen::Vector3d position;         ///< p, flange origin, world axes [m]
+  Eigen::Matrix3d rotation;         ///< R, flange axes to world axes
+  Jacobian<double, Dofs> jacobian;  ///< J at the flange origin, world axes, linear rows first
+};
+
+/// The terms of M(q) ddq + C(q, dq) dq + g(q) = tau + tau_ext.
+template <int Dofs>
+struct Dynamics {
+  JointMatrix<double, Dofs> mass_matrix;         ///< M [kg m^2]
+  JointVector<double, Dofs> coriolis;            ///< C dq [N m]
+  JointVector<double, Dofs> coriolis_transpose;  ///< C^T dq [N m], for C with dM/dt = C + C^T
+  JointVector<double, Dofs> gravity;             ///< g [N m]
+};
+
+/// An arm: the table and what follows from it. Nothing here allocates.
+template <int Dofs>
+struct ArmModel {
+  using Vector = JointVector<double, Dofs>;
+
+  const char* name;
+  std::array<Link, Dofs> links;  ///< from the base
+  Eigen::Vector3d flange;        ///< flange origin in the last link's axes [m]; the axes are the last link's
+  Vector ready;                  ///< a pose well inside the limits [rad]
+  Vector q_min, q_max;           ///< [rad]
+  Vector dq_max;                 ///< [rad/s]
+  Vector ddq_max;                ///< [rad/s^2]
+  Vector tau_max;                ///< [N m]
+  Vector dtau_max;               ///< [N m/s]
+  Vector typical_coulomb;        ///< Coulomb friction to expect of such joints [N m]
+  Vector typical_viscous;        ///< viscous friction to expect of such joints [N m s/rad]
+  Vector typical_noise;          ///< torque sensors: standard deviation of the white noise [N m]
+  Vector typical_offset;         ///< torque sensors: standard deviation of the constant offset [N m]
+  Eigen::Vector3d gravity_vector = standard_gravity<double>();  ///< world axes [m/s^2]
+
+  /// Pose and Jacobian of the flange.
+  Kinematics<Dofs> kinematics(const Vector& q) const noexcept;
+  /// All terms of the equation of motion, with `payload` (flange axes) welded to the flange.
+  Dynamics<Dofs> dynamics(const Vector& q, const Vector& dq, const RigidBody& payload = {}) const noexcept;
+  /// Kinetic plus potential energy; the potential is zero with all mass at the world origin [J].
+  double energy(const Vector& q, const Vector& dq, const RigidBody& payload = {}) const noexcept;
+
+ private:
+  using Vectors = Eigen::Matrix<double, 3, Dofs>;  // one column for each link
+  struct Frames {
+    Vectors origin, axis;                        // o_i and z_i
+    std::array<Eigen::Matrix3d, Dofs> rotation;  // link axes to world axes
+  };
+  // A body's inertia about the world origin: mass, mass times centre, second moment.
+  struct Inertia {
+    double mass;
+    Eigen::Vector3d moment;
+    Eigen::Matrix3d tensor;
+  };
+
+  Frames frames(const Vector& q) const noexcept;
+  Inertia inertia(const Frames& at, std::size_t i, const RigidBody& payload) const noexcept;
+};
+
+template <int Dofs>
+auto ArmModel<Dofs>::frames(const Vector& q) const noexcept -> Frames {
+  Frames at;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  for (int i = 0; i < Dofs; ++i) {
+    const Link& l = links[static_cast<std::size_t>(i)];
+    origin += R * l.offset;
+    R = R * l.rotation;
+    const double c = std::cos(q[i]), s = std::sin(q[i]);
+    const Eigen::Vector3d x = c * R.col(0) + s * R.col(1);
+    R.col(1) = c * R.col(1) - s * R.col(0);
+    R.col(0) = x;
+    at.origin.col(i) = origin;
+    at.axis.col(i) = R.col(2);
+    at.rotation[static_cast<std::size_t>(i)] = R;
+  }
+  return at;
+}
+
+template <int Dofs>
+Kinematics<Dofs> ArmModel<Dofs>::kinematics(const Vector& q) const noexcept {
+  const Frames at = frames(q);
+  Kinematics<Dofs> out;
+  out.rotation = at.rotation.back();
+  out.position = at.origin.col(Dofs - 1) + out.rotation * flange;
+  for (int i = 0; i < Dofs; ++i) {
+    out.jacobian.template block<3, 1>(0, i) = at.axis.col(i).cross(out.position - at.origin.col(i));
+    out.jacobian.template block<3, 1>(3, i) = at.axis.col(i);
+  }
+  return out;
+}
+
+template <int Dofs>
+auto ArmModel<Dofs>::inertia(const Frames& at, std::size_t i, const RigidBody& payload) const noexcept -> Inertia {
+  const auto column = static_cast<Eigen::Index>(i);
+  RigidBody body = links[i].body;
+  if (i + 1 == links.size() && payload.mass > 0)
+    body = body + RigidBody{payload.mass, payload.com + flange, payload.inertia};
+  const Eigen::Matrix3d& R = at.rotation[i];
+  const Eigen::Vector3d c = at.origin.col(column) + R * body.com;
+  Inertia out{body.mass, body.mass * c, R * body.inertia * R.transpose() - out.moment * c.transpose()};
+  out.tensor.diagonal().array() += out.moment.dot(c);
+  return out;
+}
+
+template <int Dofs>
+Dynamics<Dofs> ArmModel<Dofs>::dynamics(const Vector& q, const Vector& dq, const RigidBody& payload) const noexcept {
+  const Frames at = frames(q);
+  Vectors slide;  // linear part of S_i: velocity at the world origin of a body that turns about joint i
+  for (int i = 0; i < Dofs; ++i) slide.col(i) = at.origin.col(i).cross(at.axis.col(i));
+
+  // Outwards: velocity (v, w) and velocity-product acceleration (a, b) of each link, and from them each body's
+  // momentum and the force that this acceleration takes.
+  std::array<Inertia, Dofs> composite;
+  Vectors linear_velocity, angular_velocity, momentum, angular_momentum, force, moment;
+  Eigen::Vector3d v = Eigen::Vector3d::Zero(), w = v, a = v, b = v;
+  for (int i = 0; i < Dofs; ++i) {
+    const Eigen::Vector3d v_joint = slide.col(i) * dq[i], w_joint = at.axis.col(i) * dq[i];
+    v += v_joint;
+    w += w_joint;
+    a += w.cross(v_joint) + v.cross(w_joint);
+    b += w.cross(w_joint);
+    linear_velocity.col(i) = v;
+    angular_velocity.col(i) = w;
+    const Inertia& I = composite[static_cast<std::size_t>(i)] = inertia(at, static_cast<std::size_t>(i), payload);
+    const Eigen::Vector3d h = I.mass * v - I.moment.cross(w), l = I.moment.cross(v) + I.tensor * w;
+    momentum.col(i) = h;
+    angular_momentum.col(i) = l;
+    force.col(i) = I.mass * a - I.moment.cross(b) + w.cross(h);
+    moment.col(i) = I.moment.cross(a) + I.tensor * b + v.cross(h) + w.cross(l);
+  }
+
+  // Inwards: everything becomes the sum over the links that joint i carries.
+  Dynamics<Dofs> out;
+  for (int i = Dofs - 1; i >= 0; --i) {
+    const Inertia& I = composite[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d z = at.axis.col(i), s = slide.col(i);
+    const Eigen::Vector3d f = I.mass * s - I.moment.cross(z), n = I.moment.cross(s) + I.tensor * z;
+    for (int j = 0; j <= i; ++j)
+      out.mass_matrix(i, j) = out.mass_matrix(j, i) = slide.col(j).dot(f) + at.axis.col(j).dot(n);
+    out.coriolis[i] = s.dot(force.col(i)) + z.dot(moment.col(i));
+    out.gravity[i] = -I.mass * s.dot(gravity_vector) - z.dot(I.moment.cross(gravity_vector));
+    // p_i = S_i . (momentum carried), so dM/dt dq = dS_i/dt . momentum + S_i . force, and the last term is C dq.
+    // With dM/dt = C + C^T what remains is C^T dq = dS_i/dt . momentum, where dS_i/dt = (v, w) x S_i.
+    const Eigen::Vector3d v_i = linear_velocity.col(i), w_i = angular_velocity.col(i);
+    out.coriolis_transpose[i] =
+        (w_i.cross(s) + v_i.cross(z)).dot(momentum.col(i)) + w_i.cross(z).dot(angular_momentum.col(i));
+    if (i == 0) break;
+    Inertia& parent = composite[static_cast<std::size_t>(i - 1)];
+    parent.mass += I.mass;
+    parent.moment += I.moment;
+    parent.tensor += I.tensor;
+    momentum.col(i - 1) += momentum.col(i);
+    angular_momentum.col(i - 1) += angular_momentum.col(i);
+    force.col(i - 1) += force.col(i);
+    moment.col(i - 1) += moment.col(i);
+  }
+  return out;
+}
+
+template <int Dofs>
+double ArmModel<Dofs>::energy(const Vector& q, const Vector& dq, const RigidBody& payload) const noexcept {
+  const Frames at = frames(q);
+  double potential = 0;
+  for (std::size_t i = 0; i < links.size(); ++i) potential -= inertia(at, i, payload).moment.dot(gravity_vector);
+  return 0.5 * dq.dot(dynamics(q, dq, payload).mass_matrix * dq) + potential;
+}
+
+}  // namespace rme::examples

@@ -1,0 +1,335 @@
+#pragma once
+/// The object that a host owns: fed each tick, it notices a payload, estimates it and says what torque carries it.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <rme/control/compensation.hpp>
+#include <rme/core/payload.hpp>
+#include <rme/core/require.hpp>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+#include <rme/inference/payload_gaussian.hpp>
+#include <rme/inference/payload_statistics.hpp>
+#include <rme/inference/sensor_model.hpp>
+#include <rme/inference/variational_inference.hpp>
+#include <rme/sensing/mismatch_detector.hpp>
+#include <rme/sensing/onset.hpp>
+#include <rme/sensing/proprioception.hpp>
+#include <rme/sensing/sample_window.hpp>
+
+namespace rme {
+
+/// Where an Estimator is in its life cycle: Watching -> Collecting -> Estimating -> Compensating or Watching again.
+enum class Phase : std::uint8_t {
+  Watching,      ///< the hand is empty; waits for a change
+  Collecting,    ///< a change was noticed; gathers samples
+  Estimating,    ///< this tick has made an estimate
+  Compensating,  ///< something is in the hand; waits for the next change
+};
+
+constexpr const char* to_string(Phase phase) noexcept {
+  switch (phase) {
+    case Phase::Watching:
+      return "Watching";
+    case Phase::Collecting:
+      return "Collecting";
+    case Phase::Estimating:
+      return "Estimating";
+    case Phase::Compensating:
+      return "Compensating";
+  }
+  return "unknown";
+}
+
+/// Which torque the arm reports as external.
+enum class TorqueSign : std::int8_t {
+  External = 1,   ///< what the environment exerts on the arm (the convention of rme)
+  Reaction = -1,  ///< what the arm exerts on the environment
+};
+
+/// Settings of Estimator; the defaults suit a seven-joint arm of the Panda's size at any rate. docs/tuning.md
+template <typename Scalar, int Dofs>
+struct EstimatorConfig {
+  Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
+  TorqueSign torque_sign = TorqueSign::External;
+  MismatchDetectorConfig detector;
+  SampleWindowConfig window;
+  SensorModel<Scalar, Dofs> sensor = SensorModel<Scalar, Dofs>::unknown();
+  double collection = 0.2;        ///< how long samples are gathered after the detection [s], > 0
+  double baseline = 0.3;          ///< length of the quiet window before the change [s], >= 0; 0 uses none
+  double baseline_guard = 0.02;   ///< between the quiet window and the change [s], >= 0
+  double onset_span = 0.01;       ///< of the means whose difference finds the instant of the change [s], > 0
+  double onset_jump = 0.4;        ///< a smaller step is no onset [N m], > 0
+  double gyration_radius = 0.03;  ///< of a payload about its own centre of mass, roughly [m], >= 0
+  double empty_mass = 0.05;       ///< an estimate below this is an empty hand [kg], > 0
+  VariationalInferenceConfig inference;
+
+  /// @throws std::invalid_argument naming the field out of range
+  void validate(double dt) const;
+};
+
+/// The prior that needs no training: what hands usually pick up.
+template <typename Scalar>
+struct FixedPrior {
+  PayloadGaussian<Scalar> gaussian = PayloadGaussian<Scalar>::independent(
+      {Scalar(0.8), Scalar(0), Scalar(0), Scalar(0.1)}, {Scalar(0.6), Scalar(0.05), Scalar(0.05), Scalar(0.06)});
+
+  /// A prior source: called once per estimate with the window, whose newest `count` samples were collected.
+  template <int Dofs>
+  PayloadGaussian<Scalar> operator()(const SampleWindow<Scalar, Dofs>&, std::size_t /*count*/) const noexcept {
+    return gaussian;
+  }
+};
+
+/// An estimate and where it comes from. Times count from the estimator's construction or reset [s].
+template <typename Scalar>
+struct Estimate {
+  PayloadGaussian<Scalar> posterior;  ///< of everything in the hand, not of what was added last
+  bool empty = true;                  ///< nothing in the hand, as far as the torque can tell
+  double detected_at = 0;
+  double window_begin = 0, window_end = 0;  ///< of the samples used
+  int iterations = 0;                       ///< of the inference
+
+  /// What to compensate for: the posterior's mean, or nothing for an empty hand.
+  Payload<Scalar> payload() const noexcept { return empty ? Payload<Scalar>() : posterior.payload(); }
+};
+
+/// Watches, collects, estimates, compensates (paper, Figure 2). One per arm.
+///
+///     Estimator<double, 7> estimator(0.001);                        // may throw: before the loop
+///     estimator.update({tau_ext, jacobian, rotation, dq});          // each tick
+///     tau_command += estimator.compensation(jacobian, rotation);
+///
+/// Each event is estimated from all samples since its onset, and always as the total payload: adding an object,
+/// removing it, and returning to an empty hand are the same event to it. While nothing is in the hand, the quiet window
+/// before the event tells the sensor's offset; later events reuse it.
+///
+/// Real time: no call but the constructor allocates or throws. update() is O(Dofs) while watching and collecting; on
+/// the tick that completes a collection it passes at most twice over the samples since the onset, then runs the
+/// inference.
+/// @tparam PriorSource  callable (const SampleWindow&, size_t count) -> PayloadGaussian, noexcept
+template <typename Scalar, int Dofs, typename PriorSource = FixedPrior<Scalar>>
+class Estimator {
+ public:
+  using Config = EstimatorConfig<Scalar, Dofs>;
+  using Torque = JointVector<Scalar, Dofs>;
+
+  /// @param dt  control period [s], > 0
+  /// @throws std::invalid_argument naming the field out of range
+  explicit Estimator(double dt, const Config& config = Config(), const PriorSource& prior = PriorSource());
+
+  /// Advances by one period.
+  /// @return Ok; NonFiniteInput or NotARotation: the estimator is then as it was, and the tick does not count
+  Status update(const Proprioception<Scalar, Dofs>& sample) noexcept;
+
+  /// Says that the payload changes now: collecting starts at the next sample, whatever the detector thinks. For hosts
+  /// that know when the gripper closes. If the weight comes later in the collection, what was before it is left out.
+  void trigger() noexcept;
+  /// Says that the hand has been empty for the last `duration` seconds: what the sensor showed is the baseline of all
+  /// events to come, and no other is learned.
+  void tare(double duration) noexcept;
+
+  Phase phase() const noexcept { return phase_; }
+  /// The latest estimate; an empty hand before the first.
+  const Estimate<Scalar>& estimate() const noexcept { return estimate_; }
+  /// True on the tick that made an estimate.
+  bool estimated() const noexcept { return phase_ == Phase::Estimating; }
+  /// tau_comp = -J^T w(payload) [N m]; zero for an empty hand. Pass it through a CompensationRamp.
+  Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
+    return compensation_torque<Scalar, Dofs>(estimate_.payload(), jacobian, rotation, config_.gravity);
+  }
+  /// Seconds since construction or reset.
+  double time() const noexcept { return static_cast<double>(ticks_) * dt_; }
+  const MismatchDetector& detector() const noexcept { return detector_; }
+  const Config& config() const noexcept { return config_; }
+  /// An empty hand and no past.
+  void reset() noexcept;
+
+ private:
+  using Statistics = PayloadStatistics<Scalar, Dofs>;
+
+  std::size_t ticks_of(double seconds) const noexcept { return static_cast<std::size_t>(std::lround(seconds / dt_)); }
+  double time_of(std::size_t age) const noexcept { return time() - static_cast<double>(age) * dt_; }
+  bool is_onset(const Onset<Scalar>& onset) const noexcept {
+    return onset.sharp() && onset.jump > static_cast<Scalar>(config_.onset_jump);
+  }
+  void begin_collection(bool triggered) noexcept;
+  void learn_baseline(std::size_t newest, std::size_t count) noexcept;
+  Statistics statistics(std::size_t oldest, std::size_t newest, const Vector3<Scalar>& com_guess) const noexcept;
+  void make_estimate() noexcept;
+
+  Config config_;
+  PriorSource prior_;
+  double dt_;
+  MismatchDetector detector_;
+  SampleWindow<Scalar, Dofs> window_;
+  NuisanceGaussian<Scalar, Dofs> nuisance_;  // of the current event
+  Phase phase_ = Phase::Watching;
+  Estimate<Scalar> estimate_;
+  std::uint64_t ticks_ = 0;
+  std::size_t collected_ = 0;  // samples since the collection began
+  std::size_t onset_age_ = 0;  // at its beginning: samples before it that belong to the event
+  bool triggered_ = false;     // by the host, not by the detector
+  bool tared_ = false;
+  double detected_at_ = 0;
+};
+
+template <typename Scalar, int Dofs>
+void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
+  detail::require(dt > 0 && std::isfinite(dt), "Estimator::dt", "> 0 s", dt);
+  detail::require(gravity.allFinite() && gravity.norm() > 0, "EstimatorConfig::gravity", "finite and not zero",
+                  gravity.norm());
+  sensor.validate();
+  detail::require(collection >= 2 * dt, "EstimatorConfig::collection", ">= 2 samples [s]", collection);
+  detail::require(baseline >= 0, "EstimatorConfig::baseline", ">= 0 s", baseline);
+  detail::require(baseline_guard >= 0, "EstimatorConfig::baseline_guard", ">= 0 s", baseline_guard);
+  detail::require(onset_span >= dt, "EstimatorConfig::onset_span", ">= 1 sample [s]", onset_span);
+  detail::require(onset_jump > 0, "EstimatorConfig::onset_jump", "> 0 N m", onset_jump);
+  detail::require(gyration_radius >= 0, "EstimatorConfig::gyration_radius", ">= 0 m", gyration_radius);
+  detail::require(empty_mass > 0, "EstimatorConfig::empty_mass", "> 0 kg", empty_mass);
+  detail::require(inference.max_iterations > 0, "VariationalInferenceConfig::max_iterations", ">= 1",
+                  inference.max_iterations);
+  const double needed = detector.window + std::max(collection, baseline + baseline_guard) + 2 * dt;
+  detail::require(window.duration >= needed, "SampleWindowConfig::duration",
+                  "at least the detector's window + the longer of collection and baseline", window.duration);
+}
+
+template <typename Scalar, int Dofs, typename PriorSource>
+Estimator<Scalar, Dofs, PriorSource>::Estimator(double dt, const Config& config, const PriorSource& prior)
+    : config_((config.validate(dt), config)),
+      prior_(prior),
+      dt_(dt),
+      detector_(dt, config.detector),
+      window_(dt, config.window),
+      nuisance_(config.sensor.prior()) {}
+
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::reset() noexcept {
+  detector_.reset();
+  window_.reset();
+  nuisance_ = config_.sensor.prior();
+  phase_ = Phase::Watching;
+  estimate_ = Estimate<Scalar>();
+  ticks_ = 0;
+  tared_ = false;
+}
+
+template <typename Scalar, int Dofs, typename PriorSource>
+Status Estimator<Scalar, Dofs, PriorSource>::update(const Proprioception<Scalar, Dofs>& in) noexcept {
+  Proprioception<Scalar, Dofs> sample = in;
+  sample.tau_ext *= Scalar(static_cast<int>(config_.torque_sign));
+  // What the known payload does not explain: when a loaded arm moves, its torque changes without any event.
+  const Torque residual = sample.tau_ext + compensation(sample.jacobian, sample.rotation);
+  const double norm = static_cast<double>(residual.norm());
+  if (!std::isfinite(norm)) return Status::NonFiniteInput;
+  const Status status = window_.push(sample);
+  if (status != Status::Ok) return status;
+  ++ticks_;
+  if (phase_ == Phase::Estimating) phase_ = estimate_.empty ? Phase::Watching : Phase::Compensating;
+
+  if (phase_ == Phase::Collecting) {
+    if (++collected_ >= ticks_of(config_.collection)) make_estimate();
+    return Status::Ok;
+  }
+  if (detector_.update(norm) == Status::Ok && detector_.detected()) begin_collection(false);
+  return Status::Ok;
+}
+
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::trigger() noexcept {
+  begin_collection(true);
+}
+
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::tare(double duration) noexcept {
+  learn_baseline(0, ticks_of(std::max(duration, 0.0)));
+  tared_ = true;
+}
+
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noexcept {
+  const bool interrupted =
+      phase_ == Phase::Collecting;  // its baseline is from before the change; a new one might not be
+  phase_ = Phase::Collecting;
+  collected_ = 0;
+  onset_age_ = 0;
+  triggered_ = triggered;
+  detected_at_ = time();
+  const std::size_t span = ticks_of(config_.onset_span);
+  const Onset<Scalar> onset = find_onset(window_, ticks_of(config_.detector.window) + 2 * span, span);
+  // Where the quiet past ends. After a sharp step that the detector has noticed, every sample counts; of a slow
+  // hand-over only what follows once it has settled.
+  std::size_t quiet_age = triggered ? 0 : ticks_of(config_.detector.window);
+  if (is_onset(onset)) {
+    quiet_age = onset.age + 1;
+    if (!triggered) onset_age_ = quiet_age;
+  }
+  if (estimate_.empty && !tared_ && !interrupted)
+    learn_baseline(quiet_age + ticks_of(config_.baseline_guard), ticks_of(config_.baseline));
+}
+
+/// The nuisances of the coming event, from `count` samples of an empty hand, the newest of them of age `newest`.
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::learn_baseline(std::size_t newest, std::size_t count) noexcept {
+  nuisance_ = config_.sensor.prior();
+  const std::size_t oldest = std::min(window_.size(), newest + count);
+  if (oldest <= newest) return;
+  const Torque precision = config_.sensor.precision(static_cast<Scalar>(dt_));
+  NuisanceGaussian<Scalar, Dofs> quiet;
+  if (statistics(oldest, newest, Vector3<Scalar>::Zero()).nuisance_posterior(precision, nuisance_, quiet) == Status::Ok)
+    nuisance_ = config_.sensor.after_event(quiet);
+}
+
+/// Sums over the samples of ages oldest - 1 down to newest.
+template <typename Scalar, int Dofs, typename PriorSource>
+PayloadStatistics<Scalar, Dofs> Estimator<Scalar, Dofs, PriorSource>::statistics(
+    std::size_t oldest, std::size_t newest, const Vector3<Scalar>& com_guess) const noexcept {
+  Statistics sums;
+  for (std::size_t age = oldest; age-- > newest;) {
+    const Sample<Scalar, Dofs>& s = window_.newest(age);
+    PayloadObservation<Scalar, Dofs> o;
+    o.tau = s.tau;
+    o.regressor = payload_regressor<Scalar, Dofs>(s.raw.jacobian, s.raw.rotation, config_.gravity, s.motion, com_guess,
+                                                  static_cast<Scalar>(config_.gyration_radius));
+    o.direction = s.direction;
+    o.velocity = s.raw.dq;
+    sums.add(o);
+  }
+  return sums;
+}
+
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
+  std::size_t count = std::min(window_.size(), collected_ + onset_age_);
+  if (triggered_) {  // the weight may have come after the trigger
+    const Onset<Scalar> onset = find_onset(window_, count, ticks_of(config_.onset_span));
+    if (is_onset(onset)) count = onset.age + 1;
+  }
+  const PayloadGaussian<Scalar> prior = prior_(window_, std::min(window_.size(), collected_));
+  const Torque precision = config_.sensor.precision(static_cast<Scalar>(dt_));
+  VariationalPosterior<Scalar> result;
+  Vector3<Scalar> com_guess = prior.mean.template tail<3>();
+  Status status = Status::NotReady;
+  // The inertia force is expanded about a centre of mass: first the prior's, then the one found.
+  for (int pass = 0; pass < 2; ++pass) {
+    PayloadLikelihood<Scalar> likelihood;
+    status = statistics(count, 0, com_guess).likelihood(precision, nuisance_, likelihood);
+    if (status == Status::Ok) status = infer(likelihood, prior, result, config_.inference);
+    if (status != Status::Ok && status != Status::NotConverged) break;
+    com_guess = result.posterior.mean.template tail<3>();
+  }
+  detector_.reset();
+  if (status != Status::Ok && status != Status::NotConverged) {  // keep what was known
+    phase_ = estimate_.empty ? Phase::Watching : Phase::Compensating;
+    return;
+  }
+  estimate_.posterior = result.posterior;
+  estimate_.empty = result.posterior.mean[0] < static_cast<Scalar>(config_.empty_mass);
+  estimate_.detected_at = detected_at_;
+  estimate_.window_begin = time_of(count);
+  estimate_.window_end = time();
+  estimate_.iterations = result.iterations;
+  phase_ = Phase::Estimating;
+}
+
+}  // namespace rme

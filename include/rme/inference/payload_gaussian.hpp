@@ -1,0 +1,25 @@
+#pragma once
+/// A Gaussian over a payload's mass and centre of mass: what a prior and a posterior are.
+#include <Eigen/Cholesky>
+#include <rme/core/payload.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// N(mean, covariance) over theta = (m, r_x, r_y, r_z), in [kg, m, m, m], end-effector axes.
+template <typename Scalar>
+struct PayloadGaussian {
+  Vector4<Scalar> mean = Vector4<Scalar>::Zero();
+  Matrix4<Scalar> covariance = Matrix4<Scalar>::Identity();
+
+  Payload<Scalar> payload() const noexcept { return Payload<Scalar>::from_vector(mean); }
+  /// Marginal standard deviations, 4x1.
+  Vector4<Scalar> standard_deviation() const noexcept { return covariance.diagonal().cwiseSqrt(); }
+
+  /// Independent entries: each standard deviation > 0.
+  static PayloadGaussian independent(const Vector4<Scalar>& mean, const Vector4<Scalar>& standard_deviation) noexcept {
+    return {mean, standard_deviation.cwiseAbs2().asDiagonal()};
+  }
+};
+
+}  // namespace rme

@@ -1,0 +1,35 @@
+#pragma once
+/// All that a window of any length says about a payload: 15 numbers.
+#include <cmath>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// Log-likelihood of theta = (m, r), up to a constant (docs/theory.md, "The model is bilinear"):
+///
+///     L(theta) = -1/2 [ yy - 2 m (ya + yB . r) + m^2 (aa + 2 aB . r + r^T BB r) ]
+///
+/// Each number is a precision-weighted sum over samples and joints, e.g. aB = sum_t B_t^T W a_t; dimensionless when m
+/// is in kg and r in m. PayloadStatistics makes it.
+template <typename Scalar>
+struct PayloadLikelihood {
+  Scalar yy = Scalar(0);
+  Scalar ya = Scalar(0);
+  Scalar aa = Scalar(0);
+  Vector3<Scalar> yB = Vector3<Scalar>::Zero();
+  Vector3<Scalar> aB = Vector3<Scalar>::Zero();
+  Matrix3<Scalar> BB = Matrix3<Scalar>::Zero();
+
+  Scalar log_likelihood(const Vector4<Scalar>& theta) const noexcept {
+    const Scalar m = theta[0];
+    const Vector3<Scalar> r = theta.template tail<3>();
+    return Scalar(-0.5) * (yy - 2 * m * (ya + yB.dot(r)) + m * m * (aa + 2 * aB.dot(r) + r.dot(BB * r)));
+  }
+
+  bool all_finite() const noexcept {
+    return std::isfinite(yy) && std::isfinite(ya) && std::isfinite(aa) && yB.allFinite() && aB.allFinite() &&
+           BB.allFinite();
+  }
+};
+
+}  // namespace rme

@@ -1,0 +1,138 @@
+#pragma once
+/// The running sums from which a payload is inferred, and the faults of a torque sensor marginalised out of them.
+#include <Eigen/Cholesky>
+#include <array>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+#include <rme/inference/payload_likelihood.hpp>
+#include <rme/inference/payload_regressor.hpp>
+
+namespace rme {
+
+/// What a joint's torque carries beside the payload: offset + coulomb * c + viscous * v, with c the negative direction
+/// of motion and v the negative joint velocity (friction opposes motion). Three coefficients per joint.
+inline constexpr int kNuisances = 3;
+template <typename Scalar>
+using NuisanceVector = Eigen::Matrix<Scalar, kNuisances, 1>;  ///< (offset [N m], coulomb [N m], viscous [N m s/rad])
+template <typename Scalar>
+using NuisanceMatrix = Eigen::Matrix<Scalar, kNuisances, kNuisances>;
+
+/// Gaussian over the nuisance coefficients of every joint, independent between joints.
+template <typename Scalar, int Dofs>
+struct NuisanceGaussian {
+  std::array<NuisanceVector<Scalar>, Dofs> mean;
+  std::array<NuisanceMatrix<Scalar>, Dofs> covariance;  ///< positive definite
+};
+
+/// One tick: y = m (a + B r) + N beta + noise, per joint.
+template <typename Scalar, int Dofs>
+struct PayloadObservation {
+  JointVector<Scalar, Dofs> tau = JointVector<Scalar, Dofs>::Zero();        ///< y, external torque [N m]
+  PayloadRegressor<Scalar, Dofs> regressor;                                 ///< a, B
+  JointVector<Scalar, Dofs> direction = JointVector<Scalar, Dofs>::Zero();  ///< last direction of motion, in [-1, 1]
+  JointVector<Scalar, Dofs> velocity = JointVector<Scalar, Dofs>::Zero();   ///< dq [rad/s]
+};
+
+/// Sums over a window, per joint: the Gram matrix of z = (y, a, B_x, B_y, B_z, 1, -direction, -velocity). They do not
+/// depend on the noise level, the offset or the friction, which may therefore be settled afterwards; they add up, so
+/// windows can be joined. O(Dofs) per tick, whatever the window.
+template <typename Scalar, int Dofs>
+class PayloadStatistics {
+ public:
+  void clear() noexcept { *this = PayloadStatistics(); }
+
+  /// Adds one tick. The caller vouches for finite numbers.
+  void add(const PayloadObservation<Scalar, Dofs>& o) noexcept {
+    for (int j = 0; j < Dofs; ++j) {
+      Row z;
+      z << o.tau[j], o.regressor.a[j], o.regressor.B(j, 0), o.regressor.B(j, 1), o.regressor.B(j, 2), Scalar(1),
+          -o.direction[j], -o.velocity[j];
+      gram_[static_cast<std::size_t>(j)].noalias() += z * z.transpose();
+    }
+    ++count_;
+  }
+
+  int count() const noexcept { return count_; }
+
+  /// The likelihood of a payload with every joint's nuisances integrated out. With precision w per sample and
+  /// beta ~ N(mu, Lambda), a joint contributes (Woodbury; docs/theory.md, "Faults that do not average out")
+  ///
+  ///     w G_zz - w^2 G_zn (Lambda^-1 + w G_nn)^-1 G_nz,   y taken as y - N mu.
+  ///
+  /// @param precision  w per joint and sample [1/(N m)^2], > 0
+  /// @return Ok, or NotPositiveDefinite for a nuisance covariance that is not; then the likelihood is as it was
+  Status likelihood(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
+                    PayloadLikelihood<Scalar>& out) const noexcept {
+    Signal total = Signal::Zero();
+    for (std::size_t j = 0; j < std::size_t(Dofs); ++j) {
+      const Scalar w = precision[static_cast<int>(j)];
+      Signal zz = gram_[j].template topLeftCorner<kSignals, kSignals>();
+      Cross zn = gram_[j].template topRightCorner<kSignals, kNuisances>();
+      const NuisanceMatrix<Scalar> nn = gram_[j].template bottomRightCorner<kNuisances, kNuisances>();
+      const NuisanceVector<Scalar>& mu = nuisance.mean[j];
+      // y - N mu in place of y.
+      const Eigen::Matrix<Scalar, kSignals, 1> shift = zn * mu;
+      zz.row(0) -= shift.transpose();
+      zz.col(0) -= shift;
+      zz(0, 0) += mu.dot(nn * mu);
+      zn.row(0) -= (nn * mu).transpose();
+      // With Lambda = L L^T: (Lambda^-1 + w G)^-1 = L (1 + w L^T G L)^-1 L^T, which needs no inverse of Lambda.
+      const Eigen::LLT<NuisanceMatrix<Scalar>> prior(nuisance.covariance[j]);
+      if (prior.info() != Eigen::Success) return Status::NotPositiveDefinite;
+      const NuisanceMatrix<Scalar> L = prior.matrixL();
+      const Eigen::LLT<NuisanceMatrix<Scalar>> inner(NuisanceMatrix<Scalar>::Identity() + w * L.transpose() * nn * L);
+      if (inner.info() != Eigen::Success) return Status::NotPositiveDefinite;
+      const Eigen::Matrix<Scalar, kNuisances, kSignals> half = inner.matrixL().solve((zn * L).transpose());
+      total.noalias() += w * zz;
+      total.noalias() -= (w * w) * half.transpose() * half;
+    }
+    out.yy = total(0, 0);
+    out.ya = total(0, 1);
+    out.aa = total(1, 1);
+    out.yB = total.template block<3, 1>(2, 0);
+    out.aB = total.template block<3, 1>(2, 1);
+    out.BB = total.template block<3, 3>(2, 2);
+    return Status::Ok;
+  }
+
+  /// The nuisances themselves, given that the payload is `payload` (an empty hand by default): per joint the posterior
+  /// of beta ~ N(mu, Lambda) after the window. How a baseline is learned.
+  Status nuisance_posterior(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& prior,
+                            NuisanceGaussian<Scalar, Dofs>& out) const noexcept {
+    NuisanceGaussian<Scalar, Dofs> posterior;
+    for (std::size_t j = 0; j < std::size_t(Dofs); ++j) {
+      const Scalar w = precision[static_cast<int>(j)];
+      const NuisanceMatrix<Scalar> nn = gram_[j].template bottomRightCorner<kNuisances, kNuisances>();
+      const NuisanceVector<Scalar> ny = gram_[j].template topRightCorner<1, kNuisances>().transpose();
+      const Eigen::LLT<NuisanceMatrix<Scalar>> llt(prior.covariance[j]);
+      if (llt.info() != Eigen::Success) return Status::NotPositiveDefinite;
+      const NuisanceMatrix<Scalar> L = llt.matrixL();
+      const Eigen::LLT<NuisanceMatrix<Scalar>> inner(NuisanceMatrix<Scalar>::Identity() + w * L.transpose() * nn * L);
+      if (inner.info() != Eigen::Success) return Status::NotPositiveDefinite;
+      const NuisanceMatrix<Scalar> half = inner.matrixL().solve(L.transpose());
+      posterior.covariance[j] = half.transpose() * half;
+      posterior.mean[j] = prior.mean[j] + w * posterior.covariance[j] * (ny - nn * prior.mean[j]);
+    }
+    out = posterior;
+    return Status::Ok;
+  }
+
+ private:
+  static constexpr int kSignals = 5;                      // y, a, B
+  static constexpr int kColumns = kSignals + kNuisances;  // and the nuisances' regressors
+  using Row = Eigen::Matrix<Scalar, kColumns, 1>;
+  using Gram = Eigen::Matrix<Scalar, kColumns, kColumns>;
+  using Signal = Eigen::Matrix<Scalar, kSignals, kSignals>;
+  using Cross = Eigen::Matrix<Scalar, kSignals, kNuisances>;
+
+  std::array<Gram, Dofs> gram_ = zero();
+  int count_ = 0;
+
+  static std::array<Gram, Dofs> zero() noexcept {
+    std::array<Gram, Dofs> gram;
+    for (Gram& g : gram) g.setZero();
+    return gram;
+  }
+};
+
+}  // namespace rme

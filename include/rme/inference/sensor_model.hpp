@@ -1,0 +1,145 @@
+#pragma once
+/// The faults of an arm's torque sensing, as numbers: what a window of tau_ext holds beside the payload.
+#include <array>
+#include <cmath>
+#include <rme/core/require.hpp>
+#include <rme/core/types.hpp>
+#include <rme/inference/payload_statistics.hpp>
+
+namespace rme {
+
+/// Per joint, what tau_ext carries beside the payload (docs/tuning.md says how to measure it on one's own arm):
+///
+///     tau_ext = payload + offset + stiction - coulomb * direction - viscous * dq + noise
+template <typename Scalar, int Dofs>
+struct SensorModel {
+  using Vector = JointVector<Scalar, Dofs>;
+
+  Vector noise;                                  ///< standard deviation of what varies within a window [N m], > 0
+  Scalar noise_correlation_time = Scalar(0.02);  ///< over which it varies [s], > 0
+  Vector offset;    ///< standard deviation of the part that stays for minutes: sensor offset, model error [N m], > 0
+  Vector stiction;  ///< standard deviation of the part that changes with every event: friction at rest [N m], > 0
+  Vector coulomb_mean;  ///< Coulomb friction that tau_ext shows [N m], 0 with link-side sensing
+  Vector coulomb_std;   ///< its standard deviation [N m], > 0
+  Vector viscous_mean;  ///< viscous friction that tau_ext shows [N m s/rad]
+  Vector viscous_std;   ///< its standard deviation [N m s/rad], > 0
+
+  /// Torque sensed behind the gears, as on most lightweight arms: little friction in it.
+  static SensorModel link_side();
+  /// Torque from motor currents, or sensed before the gears: the friction of the joints shows.
+  static SensorModel joint_friction();
+  /// Safe on either, and less sharp on both: the default.
+  static SensorModel unknown();
+
+  /// @throws std::invalid_argument naming the field out of range
+  void validate() const;
+
+  /// Precision of one sample, per joint [1/(N m)^2]. Samples dt apart under an error of correlation time T are worth
+  /// dt / (2 T) independent ones.
+  Vector precision(Scalar dt) const noexcept {
+    using std::min;
+    const Scalar independent = min(Scalar(1), dt / (2 * noise_correlation_time));
+    return independent * noise.cwiseAbs2().cwiseInverse();
+  }
+
+  /// Nuisances of a window of which nothing else is known.
+  NuisanceGaussian<Scalar, Dofs> prior() const noexcept;
+
+  /// Nuisances of the next event, given their posterior over a quiet window with an empty hand. The sensor's offset
+  /// survives the event and stiction does not, and the quiet window has shown only their sum: of its mean the share
+  /// rho = offset^2 / (offset^2 + stiction^2) is kept, and the rest of the variance returns. Friction coefficients
+  /// stay.
+  NuisanceGaussian<Scalar, Dofs> after_event(const NuisanceGaussian<Scalar, Dofs>& baseline) const noexcept;
+
+ private:
+  /// The arm's joints from the base to the elbow carry more torque, and err more, than those of the wrist.
+  static Vector graded(double proximal, double distal) noexcept {
+    Vector v = Vector::Constant(static_cast<Scalar>(distal));
+    v.template head<(Dofs + 1) / 2>().setConstant(static_cast<Scalar>(proximal));
+    return v;
+  }
+};
+
+template <typename Scalar, int Dofs>
+SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::link_side() {
+  SensorModel model;
+  model.noise = graded(0.03, 0.02);
+  model.offset = graded(0.1, 0.05);
+  model.stiction = graded(0.01, 0.005);
+  model.coulomb_mean = model.viscous_mean = Vector::Zero();
+  model.coulomb_std = model.viscous_std = graded(1e-3, 1e-3);
+  return model;
+}
+
+template <typename Scalar, int Dofs>
+SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::joint_friction() {
+  SensorModel model;
+  model.noise = graded(0.13, 0.08);
+  model.offset = graded(0.1, 0.05);
+  model.stiction = graded(0.1, 0.05);
+  model.coulomb_mean = graded(0.2, 0.075);
+  model.coulomb_std = graded(0.06, 0.03);
+  model.viscous_mean = graded(0.08, 0.03);
+  model.viscous_std = graded(0.05, 0.02);
+  return model;
+}
+
+template <typename Scalar, int Dofs>
+SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::unknown() {
+  SensorModel model = joint_friction();
+  model.coulomb_mean = graded(0.1, 0.04);
+  model.coulomb_std = graded(0.1, 0.04);
+  model.viscous_mean = graded(0.04, 0.015);
+  return model;
+}
+
+template <typename Scalar, int Dofs>
+void SensorModel<Scalar, Dofs>::validate() const {
+  const auto positive = [](const Vector& v, const char* field) {
+    for (int j = 0; j < Dofs; ++j) detail::require(v[j] > 0 && v[j] < Scalar(1e6), field, "> 0 in every joint", v[j]);
+  };
+  positive(noise, "SensorModel::noise");
+  positive(offset, "SensorModel::offset");
+  positive(stiction, "SensorModel::stiction");
+  positive(coulomb_std, "SensorModel::coulomb_std");
+  positive(viscous_std, "SensorModel::viscous_std");
+  for (int j = 0; j < Dofs; ++j) {
+    detail::require(coulomb_mean[j] >= 0 && coulomb_mean[j] < Scalar(1e6), "SensorModel::coulomb_mean", ">= 0 N m",
+                    coulomb_mean[j]);
+    detail::require(viscous_mean[j] >= 0 && viscous_mean[j] < Scalar(1e6), "SensorModel::viscous_mean",
+                    ">= 0 N m s/rad", viscous_mean[j]);
+  }
+  detail::require(noise_correlation_time > 0 && noise_correlation_time < Scalar(1e6),
+                  "SensorModel::noise_correlation_time", "> 0 s", noise_correlation_time);
+}
+
+template <typename Scalar, int Dofs>
+NuisanceGaussian<Scalar, Dofs> SensorModel<Scalar, Dofs>::prior() const noexcept {
+  NuisanceGaussian<Scalar, Dofs> nuisance;
+  for (int j = 0; j < Dofs; ++j) {
+    const auto s = static_cast<std::size_t>(j);
+    nuisance.mean[s] << Scalar(0), coulomb_mean[j], viscous_mean[j];
+    const NuisanceVector<Scalar> variance(offset[j] * offset[j] + stiction[j] * stiction[j],
+                                          coulomb_std[j] * coulomb_std[j], viscous_std[j] * viscous_std[j]);
+    nuisance.covariance[s] = variance.asDiagonal();
+  }
+  return nuisance;
+}
+
+template <typename Scalar, int Dofs>
+NuisanceGaussian<Scalar, Dofs> SensorModel<Scalar, Dofs>::after_event(
+    const NuisanceGaussian<Scalar, Dofs>& baseline) const noexcept {
+  NuisanceGaussian<Scalar, Dofs> nuisance = baseline;
+  for (int j = 0; j < Dofs; ++j) {
+    const auto s = static_cast<std::size_t>(j);
+    const Scalar lasting = offset[j] * offset[j], passing = stiction[j] * stiction[j];
+    const Scalar kept = lasting / (lasting + passing);
+    nuisance.mean[s][0] *= kept;
+    nuisance.covariance[s].row(0) *= kept;
+    nuisance.covariance[s].col(0) *= kept;
+    nuisance.covariance[s](0, 0) += kept * passing + passing;  // kept * passing = var(offset | sum)
+  }
+  return nuisance;
+}
+
+}  // namespace rme

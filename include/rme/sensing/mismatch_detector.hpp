@@ -1,0 +1,133 @@
+#pragma once
+/// Says when something was attached, added or removed (Algorithm 1 of the paper).
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <rme/core/require.hpp>
+#include <rme/core/ring_buffer.hpp>
+#include <rme/core/status.hpp>
+
+namespace rme {
+
+/// Settings of MismatchDetector. Times are ages: seconds before the newest sample.
+struct MismatchDetectorConfig {
+  double window = 0.5;                   ///< how far back the change is looked for [s]
+  double activation_threshold = 0.9;     ///< change of ||tau_ext|| that counts as rapid [N m], > 0
+  double stabilisation_threshold = 0.2;  ///< how far the means below may lie from the newest one [N m], > 0
+  double newest_average = 0.01;          ///< span of the newest mean [s]
+  double check_average = 0.02;           ///< span of each of the means compared with it [s]
+  std::array<double, 3> check_age = {0.05, 0.13, 0.21};  ///< age at which each of those spans ends [s]
+  /// Span of the means whose difference is the rapid change [s]; 0 compares two single samples, as published. A single
+  /// sample jumps at once while the stabilisation means still see the old level: the published form then fires a few
+  /// milliseconds after a sharp step, and its collection window holds the transient. Means move together.
+  double edge_average = 0.02;
+
+  /// Algorithm 1 to the letter.
+  static MismatchDetectorConfig published() {
+    MismatchDetectorConfig config;
+    config.edge_average = 0;
+    return config;
+  }
+};
+
+/// Watches the norm of the external torque: a mismatch is a rapid change over the window that has since settled,
+///
+///     |s(newest) - s(oldest)| > activation    and    |mean_i - mean(newest)| <= stabilisation,  i = 1, 2, 3
+///
+/// with s = ||tau_ext||_2. Each mean is a difference of two running sums kept as 64-bit integers in steps of 2^-32 N m,
+/// so update() is O(1) whatever the spans, and no amount of running leaves a trace in the sums.
+class MismatchDetector {
+ public:
+  /// @param dt  control period [s], > 0
+  /// @throws std::invalid_argument naming the field out of range
+  explicit MismatchDetector(double dt, const MismatchDetectorConfig& config = MismatchDetectorConfig());
+
+  /// Advances by one period.
+  /// @param norm  ||tau_ext||_2 [N m], 0 to 2^20
+  /// @return Ok; NonFiniteInput for a NaN, an infinity, or a norm out of range: the detector is then as it was
+  Status update(double norm) noexcept;
+
+  bool rapid_change() const noexcept { return rapid_change_; }  ///< false until the window is full
+  bool stabilised() const noexcept { return stabilised_; }      ///< false until the window is full
+  bool detected() const noexcept { return rapid_change_ && stabilised_; }
+  /// Forgets all samples: nothing is detected until a whole window has passed.
+  void reset() noexcept;
+
+ private:
+  static constexpr double kResolution = 1.0 / 4294967296.0;  // 2^-32 N m
+  static constexpr double kLargest = 1048576.0;              // 2^20 N m
+  struct Span {                                              // samples of age begin .. begin + count - 1
+    std::size_t begin = 0, count = 1;
+  };
+
+  // Unsigned, because a running sum may wrap: differences stay right.
+  std::int64_t sum(const Span& span) const noexcept {
+    return static_cast<std::int64_t>(sums_.newest(span.begin) - sums_.newest(span.begin + span.count));
+  }
+  double mean(const Span& span) const noexcept {
+    return static_cast<double>(sum(span)) * (kResolution / static_cast<double>(span.count));
+  }
+
+  double activation_, stabilisation_;
+  Span oldest_edge_, newest_edge_, newest_;
+  std::array<Span, 3> checks_;
+  RingBuffer<std::uint64_t> sums_;  // running sums, newest included
+  bool rapid_change_ = false, stabilised_ = false;
+};
+
+namespace detail {
+/// Seconds to whole samples.
+inline std::size_t samples(double seconds, double dt) noexcept {
+  return static_cast<std::size_t>(std::lround(seconds / dt));
+}
+}  // namespace detail
+
+inline MismatchDetector::MismatchDetector(double dt, const MismatchDetectorConfig& config)
+    : activation_(config.activation_threshold), stabilisation_(config.stabilisation_threshold), sums_(1) {
+  const auto positive = [](double value, const char* field, const char* unit) {
+    detail::require(value > 0 && std::isfinite(value), field, unit, value);
+  };
+  positive(dt, "MismatchDetector::dt", "> 0 s");
+  positive(config.activation_threshold, "MismatchDetectorConfig::activation_threshold", "> 0 N m");
+  positive(config.stabilisation_threshold, "MismatchDetectorConfig::stabilisation_threshold", "> 0 N m");
+  positive(config.window, "MismatchDetectorConfig::window", "> 0 s");
+  detail::require(config.window / dt >= 2 && config.window / dt < 1e7, "MismatchDetectorConfig::window",
+                  "2 to 1e7 samples", config.window / dt);
+  const std::size_t window = detail::samples(config.window, dt);
+  const auto span = [&](double age, double length, const char* field) {
+    Span s;
+    detail::require(age >= 0 && length >= 0 && age + length <= config.window, field, "0 s to the window", age + length);
+    s.count = std::max<std::size_t>(1, detail::samples(length, dt));
+    s.begin = std::min(detail::samples(age, dt), window - s.count);
+    return s;
+  };
+  newest_edge_ = span(0, config.edge_average, "MismatchDetectorConfig::edge_average");
+  oldest_edge_ = newest_edge_;
+  oldest_edge_.begin = window - oldest_edge_.count;
+  newest_ = span(0, config.newest_average, "MismatchDetectorConfig::newest_average");
+  for (std::size_t i = 0; i < checks_.size(); ++i)
+    checks_[i] = span(config.check_age[i], config.check_average, "MismatchDetectorConfig::check_age");
+  sums_ = RingBuffer<std::uint64_t>(window + 1);
+  reset();
+}
+
+inline void MismatchDetector::reset() noexcept {
+  sums_.clear();
+  sums_.push(0);
+  rapid_change_ = stabilised_ = false;
+}
+
+inline Status MismatchDetector::update(double norm) noexcept {
+  if (!(norm >= 0 && norm <= kLargest)) return Status::NonFiniteInput;
+  sums_.push(sums_.newest() + static_cast<std::uint64_t>(std::llround(norm / kResolution)));
+  if (!sums_.full()) return Status::Ok;
+  rapid_change_ = std::abs(mean(newest_edge_) - mean(oldest_edge_)) > activation_;
+  stabilised_ = true;
+  for (const Span& check : checks_)
+    if (std::abs(mean(check) - mean(newest_)) > stabilisation_) stabilised_ = false;
+  return Status::Ok;
+}
+
+}  // namespace rme

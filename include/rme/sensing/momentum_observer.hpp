@@ -1,0 +1,100 @@
+#pragma once
+/// The external joint torque of an arm that measures its joint torques and knows its own model.
+#include <cmath>
+#include <rme/core/require.hpp>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// Settings of MomentumObserver.
+template <typename Scalar, int Dofs>
+struct MomentumObserverConfig {
+  JointVector<Scalar, Dofs> gain = JointVector<Scalar, Dofs>::Constant(Scalar(50));  ///< K [rad/s], each > 0
+};
+
+/// Generalised-momentum observer (De Luca and Mattone, ICRA 2005; docs/theory.md, momentum observer).
+///
+/// With p = M dq the dynamics read dp/dt = tau + C^T dq - g + tau_ext, so what of dp/dt the model leaves over is
+/// tau_ext. Over the period that ends with sample k that remainder, on average, is
+///
+///     u_k = (p_k - p_k-1) / dt - tau_k - (s_k-1 + s_k) / 2,    s = C^T dq - g
+///     r_k = r_k-1 + (1 - exp(-K dt)) (u_k - r_k-1),            r_0 = 0
+///
+/// and r is tau_ext seen through the first-order filter K / (s + K), exactly so when tau_ext is constant within each
+/// period. An external torque that sets in at sample k therefore shows first at sample k + 1, with 1 - exp(-K dt) of
+/// its size. Whoever compares r with a model x of tau_ext passes the model through the same filter: y_k = y_k-1 + (1 -
+/// exp(-K dt)) (x - y_k-1) with x averaged over the period that ends with sample k.
+///
+/// Sign: r is what the environment exerts on the arm, tau_ext of M ddq + C dq + g = tau + tau_ext. Joint friction that
+/// the torque sensor does not see is part of it; an offset of the torque sensor enters with the opposite sign.
+/// Real time: update() is O(Dofs^2), allocates nothing, throws nothing.
+template <typename Scalar, int Dofs>
+class MomentumObserver {
+ public:
+  using Vector = JointVector<Scalar, Dofs>;
+
+  /// @param dt  control period [s], > 0
+  /// @throws std::invalid_argument naming the field out of range; the only call that throws
+  explicit MomentumObserver(Scalar dt, const MomentumObserverConfig<Scalar, Dofs>& config = {});
+
+  /// Advances by one period. The first call after construction or reset() only takes the arm's momentum.
+  /// @param tau                 joint torque that acted over the period which ends now, gravity included [N m]: the
+  ///                            command of the last tick, or better the measurement
+  /// @param dq                  joint velocity now [rad/s]
+  /// @param mass_matrix         M(q) now [kg m^2], of the arm without payload
+  /// @param coriolis_transpose  C(q, dq)^T dq now, for C with dM/dt = C + C^T [N m]
+  /// @param gravity             g(q) now, the term of the dynamics above [N m]
+  /// @return Ok, or NonFiniteInput, which leaves the observer as it was
+  Status update(const Vector& tau, const Vector& dq, const JointMatrix<Scalar, Dofs>& mass_matrix,
+                const Vector& coriolis_transpose, const Vector& gravity) noexcept;
+
+  /// r, the filtered external torque [N m]; zero until two samples are in.
+  const Vector& tau_ext() const noexcept { return residual_; }
+
+  /// Forgets everything; the next update() is a first one.
+  void reset() noexcept;
+
+ private:
+  Scalar dt_;
+  Vector blend_;  // 1 - exp(-K dt)
+  Vector residual_ = Vector::Zero();
+  Vector momentum_ = Vector::Zero();  // p_k-1
+  Vector drift_ = Vector::Zero();     // s_k-1
+  bool started_ = false;
+};
+
+template <typename Scalar, int Dofs>
+MomentumObserver<Scalar, Dofs>::MomentumObserver(Scalar dt, const MomentumObserverConfig<Scalar, Dofs>& config)
+    : dt_(dt) {
+  detail::require(dt > 0 && dt * 0 == 0, "MomentumObserver::dt", "> 0 s", dt);
+  for (int i = 0; i < Dofs; ++i)
+    detail::require(config.gain[i] > 0, "MomentumObserverConfig::gain", "> 0 rad/s", config.gain[i]);
+  blend_ = config.gain.unaryExpr([dt](Scalar gain) { return -std::expm1(-gain * dt); });
+}
+
+template <typename Scalar, int Dofs>
+Status MomentumObserver<Scalar, Dofs>::update(const Vector& tau, const Vector& dq,
+                                              const JointMatrix<Scalar, Dofs>& mass_matrix,
+                                              const Vector& coriolis_transpose, const Vector& gravity) noexcept {
+  const Vector momentum = mass_matrix * dq;
+  const Vector drift = coriolis_transpose - gravity;
+  const Vector remainder = (momentum - momentum_) / dt_ - tau - Scalar(0.5) * (drift + drift_);
+  // Any NaN or infinity among the inputs, and any overflow, ends up in these.
+  if (!momentum.allFinite() || !drift.allFinite() || !remainder.allFinite()) return Status::NonFiniteInput;
+  if (started_) residual_ += blend_.cwiseProduct(remainder - residual_);
+  momentum_ = momentum;
+  drift_ = drift;
+  started_ = true;
+  return Status::Ok;
+}
+
+template <typename Scalar, int Dofs>
+void MomentumObserver<Scalar, Dofs>::reset() noexcept {
+  residual_.setZero();
+  momentum_.setZero();
+  drift_.setZero();
+  started_ = false;
+}
+
+}  // namespace rme

@@ -1,0 +1,31 @@
+#pragma once
+/// What a host hands in each tick, and the check that it makes sense.
+#include <cmath>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// One tick of what a torque-controlled arm reports anyway.
+template <typename Scalar, int Dofs>
+struct Proprioception {
+  JointVector<Scalar, Dofs> tau_ext = JointVector<Scalar, Dofs>::Zero();  ///< external joint torque [N m]
+  Jacobian<Scalar, Dofs> jacobian = Jacobian<Scalar, Dofs>::Zero();       ///< J, 6 x Dofs
+  Matrix3<Scalar> rotation = Matrix3<Scalar>::Identity();                 ///< R, end-effector axes to world axes
+  /// Joint velocity [rad/s]. Left at zero, the arm is taken to be at rest: no inertia force, no friction.
+  JointVector<Scalar, Dofs> dq = JointVector<Scalar, Dofs>::Zero();
+};
+
+/// @return Ok; NonFiniteInput; NotARotation if R^T R is further than 1e-3 from the identity or R is a mirror
+template <typename Scalar, int Dofs>
+Status check(const Proprioception<Scalar, Dofs>& sample) noexcept {
+  if (!sample.tau_ext.allFinite() || !sample.jacobian.allFinite() || !sample.rotation.allFinite() ||
+      !sample.dq.allFinite())
+    return Status::NonFiniteInput;
+  const Matrix3<Scalar>& R = sample.rotation;
+  const Scalar error = (R.transpose() * R - Matrix3<Scalar>::Identity()).cwiseAbs().maxCoeff();
+  if (!(error < Scalar(1e-3)) || !(R.col(0).cross(R.col(1)).dot(R.col(2)) > 0)) return Status::NotARotation;
+  return Status::Ok;
+}
+
+}  // namespace rme

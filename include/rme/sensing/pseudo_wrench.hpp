@@ -1,0 +1,39 @@
+#pragma once
+/// The wrench at the end effector that would explain the external joint torque.
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+#include <rme/core/wrench.hpp>
+
+namespace rme {
+
+/// Damped pseudo-wrench W = (J J^T + lambda I)^-1 J tau_ext, in world axes (paper, Section 4.1). With damping it is
+/// small rather than wild near a singularity; a Jacobian of zeros gives zero.
+/// @param damping  lambda [m^2 and rad^2 alike], > 0; the paper's value is 1e-2
+/// @param[out] wrench  as it was unless the status is Ok
+/// @return Ok; NonFiniteInput; NotPositiveDefinite for a damping that is not > 0
+template <typename Scalar, int Dofs>
+Status pseudo_wrench(const Jacobian<Scalar, Dofs>& jacobian, const JointVector<Scalar, Dofs>& tau_ext, Scalar damping,
+                     Wrench<Scalar>& wrench) noexcept {
+  Matrix6<Scalar> A;
+  A.noalias() = jacobian * jacobian.transpose();
+  A.diagonal().array() += damping;
+  const Vector6<Scalar> b = jacobian * tau_ext;
+  if (!A.allFinite() || !b.allFinite()) return Status::NonFiniteInput;
+  const Eigen::LLT<Matrix6<Scalar>> llt(A);
+  if (!(damping > 0) || llt.info() != Eigen::Success) return Status::NotPositiveDefinite;
+  const Vector6<Scalar> w = llt.solve(b);
+  if (!w.allFinite()) return Status::NonFiniteInput;
+  wrench = Wrench<Scalar>::from_vector(w);
+  return Status::Ok;
+}
+
+/// The same wrench in end-effector axes, diag(R^T, R^T) W: the direction of its force is then that of gravity as the
+/// payload sees it, whatever the pose.
+template <typename Scalar>
+Wrench<Scalar> in_end_effector_axes(const Wrench<Scalar>& wrench, const Matrix3<Scalar>& rotation) noexcept {
+  return {rotation.transpose() * wrench.force, rotation.transpose() * wrench.moment};
+}
+
+}  // namespace rme

@@ -1,0 +1,109 @@
+#pragma once
+/// The recent past of an arm, in the form that inference needs.
+#include <cmath>
+#include <cstddef>
+#include <rme/core/flange_motion.hpp>
+#include <rme/core/require.hpp>
+#include <rme/core/ring_buffer.hpp>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+#include <rme/core/wrench.hpp>
+#include <rme/sensing/proprioception.hpp>
+
+namespace rme {
+
+/// Settings of SampleWindow.
+struct SampleWindowConfig {
+  double duration = 1.5;  ///< how far back samples are kept [s], > 0
+  /// Bandwidth of the first-order filter that tau_ext has gone through [rad/s]: the gain of the arm's momentum
+  /// observer. 0 if the torque is unfiltered.
+  double observer_bandwidth = 50;
+  double rest_velocity = 1e-3;  ///< joints slower than this count as resting [rad/s], > 0
+};
+
+/// One tick, prepared.
+template <typename Scalar, int Dofs>
+struct Sample {
+  Proprioception<Scalar, Dofs> raw;  ///< as it came in
+  /// External torque over the period that ends with this tick [N m], the observer's lag taken out.
+  JointVector<Scalar, Dofs> tau = JointVector<Scalar, Dofs>::Zero();
+  JointVector<Scalar, Dofs> direction =
+      JointVector<Scalar, Dofs>::Zero();  ///< last direction of motion: -1, 0 (none yet), 1
+  FlangeMotion<Scalar> motion;            ///< over the same period
+};
+
+/// Keeps the last seconds, and prepares each sample on its way in.
+///
+/// The observer's lag: r_k = r_k-1 + (1 - rho)(tau_k - r_k-1) with rho = exp(-bandwidth dt) is inverted, tau_k = (r_k -
+/// rho r_k-1) / (1 - rho). That is the same information as passing the payload's model through the filter (the two
+/// differ by an invertible map), but it needs no instant at which the filter started, and white sensor noise comes out
+/// white (docs/theory.md, "Matching the observer").
+///
+/// The flange's acceleration is the backward difference of J dq: it belongs to the same period as tau_k.
+template <typename Scalar, int Dofs>
+class SampleWindow {
+ public:
+  /// @param dt  control period [s], > 0
+  /// @throws std::invalid_argument naming the field out of range
+  explicit SampleWindow(double dt, const SampleWindowConfig& config = SampleWindowConfig());
+
+  /// Appends one tick. The first after construction or reset() has no predecessor: it is taken as a state at rest.
+  /// @return Ok; NonFiniteInput; NotARotation; unless Ok, the window is as it was
+  Status push(const Proprioception<Scalar, Dofs>& sample) noexcept;
+
+  std::size_t size() const noexcept { return samples_.size(); }
+  std::size_t capacity() const noexcept { return samples_.capacity(); }
+  /// The sample `age` ticks ago, 0 being the newest. Requires age < size().
+  const Sample<Scalar, Dofs>& newest(std::size_t age = 0) const noexcept { return samples_.newest(age); }
+  void reset() noexcept { samples_.clear(); }
+
+ private:
+  Scalar dt_;
+  Scalar rho_;
+  Scalar rest_velocity_;
+  RingBuffer<Sample<Scalar, Dofs>> samples_;
+};
+
+template <typename Scalar, int Dofs>
+SampleWindow<Scalar, Dofs>::SampleWindow(double dt, const SampleWindowConfig& config)
+    : dt_(static_cast<Scalar>(dt)),
+      rho_(config.observer_bandwidth > 0 ? static_cast<Scalar>(std::exp(-config.observer_bandwidth * dt)) : Scalar(0)),
+      rest_velocity_(static_cast<Scalar>(config.rest_velocity)),
+      samples_(1) {
+  detail::require(dt > 0 && std::isfinite(dt), "SampleWindow::dt", "> 0 s", dt);
+  detail::require(config.duration / dt >= 2 && config.duration / dt < 1e6, "SampleWindowConfig::duration",
+                  "2 to 1e6 samples", config.duration / dt);
+  detail::require(config.observer_bandwidth >= 0 && std::isfinite(config.observer_bandwidth),
+                  "SampleWindowConfig::observer_bandwidth", ">= 0 rad/s", config.observer_bandwidth);
+  detail::require(config.rest_velocity > 0, "SampleWindowConfig::rest_velocity", "> 0 rad/s", config.rest_velocity);
+  samples_ = RingBuffer<Sample<Scalar, Dofs>>(static_cast<std::size_t>(std::lround(config.duration / dt)));
+}
+
+template <typename Scalar, int Dofs>
+Status SampleWindow<Scalar, Dofs>::push(const Proprioception<Scalar, Dofs>& in) noexcept {
+  const Status status = check(in);
+  if (status != Status::Ok) return status;
+  Sample<Scalar, Dofs> sample;
+  sample.raw = in;
+  sample.tau = in.tau_ext;
+  const auto twist = Twist<Scalar>::from_vector(in.jacobian * in.dq);
+  sample.motion.angular_velocity = twist.angular;
+  if (!samples_.empty()) {
+    const Sample<Scalar, Dofs>& last = samples_.newest();
+    sample.tau = (in.tau_ext - rho_ * last.raw.tau_ext) / (Scalar(1) - rho_);
+    const auto last_twist = Twist<Scalar>::from_vector(last.raw.jacobian * last.raw.dq);
+    sample.motion.linear_acceleration = (twist.linear - last_twist.linear) / dt_;
+    sample.motion.angular_acceleration = (twist.angular - last_twist.angular) / dt_;
+    sample.direction = last.direction;
+  }
+  for (int j = 0; j < Dofs; ++j)
+    if (std::abs(in.dq[j]) > rest_velocity_) sample.direction[j] = in.dq[j] > 0 ? Scalar(1) : Scalar(-1);
+  // Finite but enormous numbers overflow here rather than in the inference.
+  if (!sample.tau.allFinite() || !sample.motion.linear_acceleration.allFinite() ||
+      !sample.motion.angular_acceleration.allFinite())
+    return Status::NonFiniteInput;
+  samples_.push(sample);
+  return Status::Ok;
+}
+
+}  // namespace rme

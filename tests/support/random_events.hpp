@@ -1,0 +1,79 @@
+#pragma once
+/// Random payload events for the inference tests: random poses (any J, R), payloads, offsets and noise. The events are
+/// drawn from the statistical model itself, with numbers of the size that a Panda has.
+#include <Eigen/Geometry>
+#include <random>
+#include <rme/inference/payload_gaussian.hpp>
+#include <rme/inference/payload_statistics.hpp>
+#include <vector>
+
+namespace rme::testing {
+
+constexpr int kDofs = 7;
+
+struct Event {
+  Eigen::Vector4d truth;
+  PayloadStatistics<double, kDofs> statistics;
+  JointVector<double, kDofs> precision;
+  NuisanceGaussian<double, kDofs> nuisance;
+  std::vector<PayloadObservation<double, kDofs>> samples;
+};
+
+inline Eigen::Vector3d gaussian3(std::mt19937_64& random) {
+  std::normal_distribution<double> n;
+  return {n(random), n(random), n(random)};
+}
+
+/// A payload of 0.2 to 2 kg, CoM within 8 cm across and 20 cm along z; `samples` ticks at rest or swinging gently.
+inline Event random_event(std::mt19937_64& random, int samples = 50, bool friction = false) {
+  std::normal_distribution<double> n;
+  std::uniform_real_distribution<double> u(-1, 1);
+  Event event;
+  event.truth << 1.1 + 0.9 * u(random), 0.08 * u(random), 0.08 * u(random), 0.1 + 0.1 * u(random);
+  const Payload<double> payload = Payload<double>::from_vector(event.truth);
+  Jacobian<double, kDofs> J;
+  for (int j = 0; j < kDofs; ++j) {  // seven random joint axes within reach of the flange
+    const Eigen::Vector3d axis = gaussian3(random).normalized();
+    const Eigen::Vector3d lever = 0.4 * Eigen::Vector3d(u(random), u(random), u(random));
+    J.col(j) << axis.cross(lever), axis;
+  }
+  const Eigen::Matrix3d R0 = Eigen::AngleAxisd(3.0 * u(random), gaussian3(random).normalized()).toRotationMatrix();
+  const Eigen::Vector3d swing = 0.2 * gaussian3(random);
+  JointVector<double, kDofs> noise, beta_offset, beta_coulomb, beta_viscous;
+  for (int j = 0; j < kDofs; ++j) {
+    noise[j] = j < 4 ? 0.05 : 0.03;
+    const double offset = j < 4 ? 0.1 : 0.05, coulomb = j < 4 ? 0.1 : 0.05, viscous = 0.05;
+    const auto s = static_cast<std::size_t>(j);
+    event.nuisance.mean[s] << 0, friction ? 2 * coulomb : 0, friction ? viscous : 0;
+    event.nuisance.covariance[s] = Eigen::Vector3d(offset * offset, coulomb * coulomb, viscous * viscous).asDiagonal();
+    beta_offset[j] = offset * n(random);
+    beta_coulomb[j] = event.nuisance.mean[s][1] + coulomb * n(random);
+    beta_viscous[j] = event.nuisance.mean[s][2] + viscous * n(random);
+    event.precision[j] = 1 / (noise[j] * noise[j]);
+  }
+  for (int k = 0; k < samples; ++k) {
+    const double time = 0.004 * k;
+    PayloadObservation<double, kDofs> o;
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(swing.norm() * time, swing.normalized()).toRotationMatrix() * R0;
+    o.regressor = payload_regressor<double, kDofs>(J, R, standard_gravity<double>());
+    o.tau = o.regressor.torque(payload) + beta_offset;
+    if (friction) {
+      for (int j = 0; j < kDofs; ++j) {
+        o.velocity[j] = 0.1 * std::sin(3 * time + j);
+        o.direction[j] = o.velocity[j] > 0 ? 1 : -1;
+        o.tau[j] -= beta_coulomb[j] * o.direction[j] + beta_viscous[j] * o.velocity[j];
+      }
+    }
+    for (int j = 0; j < kDofs; ++j) o.tau[j] += noise[j] * n(random);
+    event.statistics.add(o);
+    event.samples.push_back(o);
+  }
+  return event;
+}
+
+/// The prior of the tests: what one expects of things that hands pick up.
+inline PayloadGaussian<double> wide_prior() {
+  return PayloadGaussian<double>::independent({0.8, 0, 0, 0.1}, {0.6, 0.05, 0.05, 0.06});
+}
+
+}  // namespace rme::testing
