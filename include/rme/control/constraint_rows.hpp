@@ -54,7 +54,7 @@ class ConstraintRows {
     return Status::Ok;
   }
 
-  std::array<Row, static_cast<std::size_t>(MaxRows)> rows_;
+  std::array<Row, static_cast<std::size_t>(MaxRows)> rows_{};
   int size_ = 0;
 };
 
