@@ -16,5 +16,6 @@ mkdir -p "$output"
 say "running 01_static_payload"
 build/examples/01_static_payload/rme_01_static_payload --output "$output" "$@"
 say "drawing"
-python3 examples/01_static_payload/plot.py "$output"
+# The python that apt installs matplotlib for, whatever else is on the PATH.
+/usr/bin/python3 examples/01_static_payload/plot.py "$output"
 say "the picture is $PWD/$output/static_payload.png"

@@ -99,7 +99,9 @@ ReplaySummary replay(const Log<7>& log, const ReplayOptions& options, const Prio
     const std::chrono::duration<double, std::micro> elapsed = std::chrono::steady_clock::now() - start;
     if (status != Status::Ok) continue;
     rows.push_back(i);
-    if (!estimator.estimated() || (options.at && !triggered)) continue;
+    if (options.at && !triggered) continue;
+    if (estimator.rejected()) ++summary.rejected;
+    if (!estimator.estimated()) continue;
     const auto& estimate = estimator.estimate();
     const auto row = [&](double time) { return rows[static_cast<std::size_t>(std::lround(time / dt))]; };
     ReplayedEstimate out;

@@ -9,7 +9,10 @@
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
 #include <rme/estimator.hpp>
+#include <rme/inference/event_evidence.hpp>
+#include <rme/inference/event_inference.hpp>
 #include <rme/inference/exact_posterior.hpp>
+#include <rme/inference/model_average.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_likelihood.hpp>
 #include <rme/inference/payload_regressor.hpp>

@@ -13,6 +13,8 @@ enum class [[nodiscard]] Status : std::uint8_t{
     NotReady,             ///< too little data yet for an answer
     NotPositiveDefinite,  ///< a matrix that must be positive definite is not
     NotConverged,         ///< the bound on iterations was reached; the best iterate is returned
+    Infeasible,           ///< hard constraints contradict each other; the answer with the least violation is returned
+    CapacityExceeded,     ///< no room for more in storage fixed at compile time
 };
 
 /// The enumerator's name, for logs.
@@ -30,6 +32,10 @@ constexpr const char* to_string(Status status) noexcept {
       return "NotPositiveDefinite";
     case Status::NotConverged:
       return "NotConverged";
+    case Status::Infeasible:
+      return "Infeasible";
+    case Status::CapacityExceeded:
+      return "CapacityExceeded";
   }
   return "unknown";
 }

@@ -1,0 +1,219 @@
+// 01_static_payload: an arm holds a pose, and after one second something unknown hangs on its flange. What does that do
+// to the arm, and what does rme make of it?
+//
+// A simulated Panda holds its ready pose under a passive impedance law whose model knows nothing of the payload. The
+// same four seconds run twice: with rme's compensation added to the torque, and without. Printed are the estimate
+// beside the truth and how far the flange strayed; with --output DIR both runs are written as CSV (plot.py draws them).
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <rme/control/compensation.hpp>
+#include <rme/estimator.hpp>
+#include <string>
+#include <synthetic_arm/panda.hpp>
+#include <synthetic_arm/pose_impedance.hpp>
+#include <synthetic_arm/synthetic_arm.hpp>
+#include <vector>
+
+#include "io/arguments.hpp"
+
+namespace {
+
+using namespace rme::examples;
+using Torque = rme::JointVector<double, 7>;
+
+constexpr double kPeriod = 1e-3;   // of the control loop [s]
+constexpr double kAttach = 1;      // when the payload appears [s]
+constexpr double kEnd = 4;         // [s]
+constexpr double kLater = 2;       // when the result is judged, after the payload appeared [s]
+constexpr double kMaxMass = 3;     // what a Panda may carry [kg]
+constexpr double kMaxReach = 0.5;  // largest lever of the payload [m]
+
+constexpr const char* kUsage =
+    R"(usage: rme_01_static_payload [options]
+
+An arm holds a pose; after 1 s an unknown payload hangs on its flange. Prints what rme estimates and what its
+compensation is worth.
+
+  --mass KG         mass of the payload, above 0 to 3 (default 1.1)
+  --com X,Y,Z       its centre of mass in flange axes [m], each within 0.5 (default 0.05,0.02,0.13)
+  --seed N          of sensor noise, sensor offsets and friction, all drawn at random (default 1)
+  --no-noise        torque sensors without white noise
+  --no-offset       torque sensors without constant offset
+  --friction        an arm that measures torque before its gears: joint friction holds the arm back, and shows in the
+                    measured torque. Without it, torque is measured behind the gears, as on a real Panda
+  --output DIR      write compensated.csv and uncompensated.csv there; the folder is made if need be
+  --help            this text
+
+Exit codes: 0 done; 1 the payload was not noticed, or compensation did not help; 2 unusable arguments.
+)";
+
+struct Options {
+  RigidBody payload;
+  SyntheticArmConfig<7> arm;
+  bool friction = false;
+  std::optional<std::string> output;
+};
+
+Options parse(int argc, char** argv) {
+  Arguments arguments(argc, argv);
+  const double mass = arguments.number("--mass").value_or(1.1);
+  const std::vector<double> com = arguments.numbers("--com", 3).value_or(std::vector<double>{0.05, 0.02, 0.13});
+  const double seed = arguments.number("--seed").value_or(1);
+  const bool no_noise = arguments.flag("--no-noise"), no_offset = arguments.flag("--no-offset");
+  Options options;
+  options.friction = arguments.flag("--friction");
+  options.output = arguments.text("--output");
+  arguments.finish();
+
+  if (!(mass > 0 && mass <= kMaxMass)) throw ArgumentError("--mass: must be above 0 and at most 3 kg");
+  for (const double x : com)
+    if (std::abs(x) > kMaxReach) throw ArgumentError("--com: must lie within 0.5 m of the flange in each direction");
+  if (!(seed >= 0 && seed <= 1e9 && seed == std::floor(seed)))
+    throw ArgumentError("--seed: must be a whole number from 0 to 1e9");
+
+  options.payload = box(mass, {com[0], com[1], com[2]}, {0.06, 0.06, 0.1});
+  options.arm = with_typical_faults(panda(), static_cast<std::uint64_t>(seed));
+  options.arm.dt = kPeriod;
+  if (no_noise) options.arm.torque_noise.setZero();
+  if (no_offset) options.arm.torque_offset.setZero();
+  if (!options.friction) options.arm.coulomb = options.arm.viscous = Torque::Zero();
+  return options;
+}
+
+struct Row {
+  double t;
+  Torque q, dq, tau_ext, compensation;
+  Eigen::Vector3d error;  // flange from its target [m]
+  rme::Phase phase;
+};
+
+struct Run {
+  std::vector<Row> rows;
+  rme::Estimate<double> estimate;  // the first one that found something
+  double estimate_time = 0;        // of the tick that made it [s]
+
+  double error_at(double t) const { return rows[static_cast<std::size_t>(std::lround(t / kPeriod))].error.norm(); }
+  double worst_error() const {
+    double worst = 0;
+    for (const Row& row : rows) worst = std::max(worst, row.error.norm());
+    return worst;
+  }
+};
+
+Run simulate(const Options& options, bool compensate) {
+  using Clock = std::chrono::steady_clock;
+  SyntheticArm<7> arm(panda(), options.arm, panda().ready);
+  const PoseImpedance<7> controller(panda(), panda().ready);
+  rme::Estimator<double, 7> estimator(kPeriod);
+  rme::CompensationRamp<double, 7> ramp(kPeriod);
+
+  Run run;
+  bool attached = false;
+  while (arm.time() < kEnd + kPeriod / 2) {
+    if (!attached && arm.time() > kAttach - kPeriod / 2) attached = arm.attach(options.payload) > 0;
+    const auto& [position, rotation, jacobian] = arm.kinematics();
+
+    // What a host adds to its own loop: the arm's report goes in, the torque that carries the payload comes out.
+    const auto start = Clock::now();
+    const rme::Status status = estimator.update({arm.tau_ext(), jacobian, rotation, arm.dq()});
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+    if (status != rme::Status::Ok) throw std::runtime_error(rme::to_string(status));
+    if (ramp.update(estimator.compensation(jacobian, rotation)) != rme::Status::Ok)
+      throw std::runtime_error("the compensation is not finite");
+    Torque tau = controller.torque(arm.q(), arm.dq(), arm.kinematics(), arm.dynamics());
+    if (compensate) tau += ramp.torque();
+
+    if (estimator.estimated() && run.estimate.empty) {
+      run.estimate = estimator.estimate();
+      run.estimate_time = elapsed;
+    }
+    run.rows.push_back({arm.time(), arm.q(), arm.dq(), arm.tau_ext(),
+                        compensate ? ramp.torque() : Torque::Zero().eval(), controller.position_error(arm.kinematics()),
+                        estimator.phase()});
+    arm.step(tau);
+  }
+  return run;
+}
+
+// Readable as a log: t, q, dq, tau_ext, and the truth m, rx, ry, rz.
+void write_csv(const std::filesystem::path& path, const Run& run, const RigidBody& payload) {
+  std::ofstream file(path);
+  file.precision(9);
+  file << "t";
+  for (const char* name : {"q", "dq", "tau_ext", "tau_comp"})
+    for (int i = 1; i <= 7; ++i) file << ',' << name << i;
+  file << ",error_x,error_y,error_z,m,rx,ry,rz,phase\n";
+  const Eigen::IOFormat cells(Eigen::StreamPrecision, Eigen::DontAlignCols, ",", ",");
+  for (const Row& row : run.rows) {
+    file << row.t;
+    for (const Torque* v : {&row.q, &row.dq, &row.tau_ext, &row.compensation}) file << ',' << v->format(cells);
+    Eigen::Vector4d truth = Eigen::Vector4d::Zero();
+    if (row.t > kAttach - kPeriod / 2) truth << payload.mass, payload.com;
+    file << ',' << row.error.format(cells) << ',' << truth.format(cells) << ',' << rme::to_string(row.phase) << '\n';
+  }
+  if (!file.flush()) throw ArgumentError("--output: cannot write " + path.string());
+}
+
+void print(const Options& options, const Run& with, const Run& without) {
+  const RigidBody& truth = options.payload;
+  const rme::Estimate<double>& estimate = with.estimate;
+  const Eigen::Vector4d mean = estimate.posterior.mean, deviation = estimate.posterior.standard_deviation();
+  std::printf("payload                    truth   estimate   std. dev.\n");
+  std::printf("  mass              kg   %7.3f    %7.3f     %7.3f\n", truth.mass, mean[0], deviation[0]);
+  for (int i = 0; i < 3; ++i) {
+    std::printf("  centre of mass %c  mm   %7.1f    %7.1f     %7.1f\n", "xyz"[i], 1e3 * truth.com[i], 1e3 * mean[i + 1],
+                1e3 * deviation[i + 1]);
+  }
+  std::printf("\ndetected after     %6.0f ms\n", 1e3 * (estimate.detected_at - kAttach));
+  std::printf("compensated after  %6.0f ms\n", 1e3 * (estimate.window_end - kAttach));
+  std::printf("the estimate took  %6.0f us (the whole tick, from %.0f samples)\n", 1e6 * with.estimate_time,
+              (estimate.window_end - estimate.window_begin) / kPeriod);
+  std::printf("\nposition error             before    at worst   %.0f s after\n", kLater);
+  for (const auto& [name, run] :
+       {std::pair("with compensation   ", &with), std::pair("without compensation", &without)})
+    std::printf("  %s mm %7.1f     %7.1f    %7.1f\n", name, 1e3 * run->error_at(kAttach), 1e3 * run->worst_error(),
+                1e3 * run->error_at(kAttach + kLater));
+}
+
+int run(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  const Run with = simulate(options, true), without = simulate(options, false);
+  if (options.output) {
+    const std::filesystem::path folder = *options.output;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw ArgumentError("--output: cannot make " + folder.string() + ": " + error.message());
+    write_csv(folder / "compensated.csv", with, options.payload);
+    write_csv(folder / "uncompensated.csv", without, options.payload);
+  }
+  if (with.estimate.empty) {
+    std::fprintf(stderr, "the payload was not noticed: it changes the external torque by too little\n");
+    return 1;
+  }
+  print(options, with, without);
+  return with.error_at(kAttach + kLater) < without.error_at(kAttach + kLater) ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (std::any_of(argv + 1, argv + argc, [](const std::string& word) { return word == "--help" || word == "-h"; })) {
+    std::printf("%s", kUsage);
+    return 0;
+  }
+  try {
+    return run(argc, argv);
+  } catch (const ArgumentError& error) {
+    std::fprintf(stderr, "rme_01_static_payload: %s\n\n%s", error.what(), kUsage);
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "rme_01_static_payload: %s\n", error.what());
+    return 1;
+  }
+}

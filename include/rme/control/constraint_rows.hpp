@@ -1,0 +1,61 @@
+#pragma once
+/// Linear inequalities for the control loop, in storage fixed at compile time.
+#include <array>
+#include <limits>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// Up to MaxRows two-sided rows `lower <= a x <= upper`, a bound being infinite where a side is free. Two sides in one
+/// row, since the two limits of a joint share their gradient and never hold together.
+///
+/// A row with a = 0 constrains nothing. A row is hard, or soft with a weight w: a soft row may be missed by a slack s
+/// >= 0 that costs w s^2.
+template <typename Scalar, int Size, int MaxRows>
+class ConstraintRows {
+ public:
+  using Vector = Eigen::Matrix<Scalar, Size, 1>;
+
+  struct Row {
+    Vector a;
+    Scalar lower, upper;
+    Scalar weight;        ///< w; infinite for a hard row
+    Scalar squared_norm;  ///< |a|^2
+    int axis;             ///< j where a = e_j, else -1
+  };
+
+  static constexpr Scalar kFree = std::numeric_limits<Scalar>::infinity();  ///< the bound of a side without one
+  static constexpr Scalar kHard = std::numeric_limits<Scalar>::infinity();  ///< the weight of a row without slack
+
+  /// Appends lower <= a x <= upper.
+  /// @param weight  w > 0 [cost per squared unit of a x]; kHard for none
+  /// @return Ok; NonFiniteInput for a NaN or an infinite a; Infeasible for lower > upper; CapacityExceeded. Only after
+  ///         Ok has the row been added.
+  Status add(const Vector& a, Scalar lower, Scalar upper = kFree, Scalar weight = kHard) noexcept {
+    return add({a, lower, upper, weight, a.squaredNorm(), -1});
+  }
+  /// Appends lower <= x_axis <= upper: as add() with a = e_axis, 0 <= axis < Size, and cheaper to use.
+  Status add_axis(int axis, Scalar lower, Scalar upper = kFree, Scalar weight = kHard) noexcept {
+    return add({Vector::Unit(axis), lower, upper, weight, Scalar(1), axis});
+  }
+  void clear() noexcept { size_ = 0; }
+
+  int size() const noexcept { return size_; }
+  const Row& operator[](int i) const noexcept { return rows_[static_cast<std::size_t>(i)]; }
+
+ private:
+  Status add(const Row& row) noexcept {
+    if (!row.a.allFinite() || !(row.weight > 0) || !(row.squared_norm < kFree)) return Status::NonFiniteInput;
+    if (row.lower != row.lower || row.upper != row.upper) return Status::NonFiniteInput;
+    if (!(row.lower <= row.upper) || row.lower == kFree || row.upper == -kFree) return Status::Infeasible;
+    if (size_ == MaxRows) return Status::CapacityExceeded;
+    rows_[static_cast<std::size_t>(size_++)] = row;
+    return Status::Ok;
+  }
+
+  std::array<Row, static_cast<std::size_t>(MaxRows)> rows_{};
+  int size_ = 0;
+};
+
+}  // namespace rme

@@ -1,0 +1,149 @@
+#pragma once
+/// The constrained passive interaction controller: the torque nearest to a passive task force that keeps the
+/// constraints.
+#include <Eigen/Cholesky>
+#include <rme/control/active_set_solver.hpp>
+#include <rme/control/constraint_rows.hpp>
+#include <rme/control/null_space.hpp>
+#include <rme/core/require.hpp>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+#include <rme/core/wrench.hpp>
+
+namespace rme {
+
+/// Settings of Cpic; the torque limits are the arm's and have no default.
+template <typename Scalar, int Dofs>
+struct CpicConfig {
+  JointVector<Scalar, Dofs> torque_limit = JointVector<Scalar, Dofs>::Zero();  ///< |tau| <= this [N m], > 0
+  /// eps > 0 [1/m^2]: what a null-space torque of 1 N m costs against a task force error of 1 N, squared. Small: the
+  /// constraints use up the null space before they disturb the task.
+  Scalar null_space_weight = Scalar(1e-3);
+  NullSpaceConfig<Scalar> null_space = NullSpaceConfig<Scalar>();
+};
+
+/// What CPIC needs to know each tick. Units [kg m^2], [N m]; world axes.
+template <typename Scalar, int Dofs>
+struct CpicInput {
+  Jacobian<Scalar, Dofs> jacobian;        ///< J, 6xDofs
+  JointMatrix<Scalar, Dofs> mass_matrix;  ///< M, symmetric positive definite
+  /// h in the prediction M ddq = tau - h on which the constraints rest: C dq + g less all torques that act beside tau
+  /// (the arm's own gravity compensation, an external torque that is known). Nominal: the payload is not in it.
+  JointVector<Scalar, Dofs> bias;
+  Wrench<Scalar> wrench;  ///< F_c, the task force asked for
+  /// tau_0, of which only the part without a wrench, N tau_0, is used.
+  JointVector<Scalar, Dofs> null_torque = JointVector<Scalar, Dofs>::Zero();
+  /// Torque that the host adds to the command afterwards (payload compensation). It takes its share of the limits:
+  /// |tau + other_torque| <= torque_limit.
+  JointVector<Scalar, Dofs> other_torque = JointVector<Scalar, Dofs>::Zero();
+};
+
+/// Each tick solves
+///
+///     min  |J^+T tau - F_c|^2 + eps |N (tau - tau_0)|^2
+///     s.t. lower_i <= grad_i^T ddq <= upper_i,   M ddq = tau - h,   |tau + other_torque| <= torque_limit
+///
+/// [RME, Eq. 21 to 27, for redundant arms; docs/theory_control.md]. The unconstrained answer is J^T F_c + N tau_0; the
+/// inverse of the cost's Hessian is (J^T J + N / eps) / 2 and is never factorised. Rows come from barriers.hpp or the
+/// host, in the same order each tick, so that the last active set is a good first guess.
+///
+/// Near singular poses N is damped (null_space.hpp): the torques that J is about to lose become cheap to use for the
+/// constraints, and N tau_0 may then disturb the hand a little, |J N| <= lambda / 2. J^T F_c needs no inverse, hence no
+/// damping.
+///
+/// Real time: no allocation, a bounded number of iterations.
+/// @tparam MaxRows  most rows in a tick
+template <typename Scalar, int Dofs, int MaxRows = 28>
+class Cpic {
+ public:
+  using Rows = ConstraintRows<Scalar, Dofs, MaxRows>;
+  using Vector = JointVector<Scalar, Dofs>;
+
+  /// @throws std::invalid_argument naming the field out of range
+  explicit Cpic(const CpicConfig<Scalar, Dofs>& config);
+
+  /// @param rows  bounds on grad^T ddq; gradient and bounds in any unit that the barrier's h has
+  /// @return Ok; Infeasible: the hard rows cannot all be kept within the torque limits, torque() violates them least;
+  ///         NotConverged: torque() is only known to respect the limits. After NonFiniteInput, or NotPositiveDefinite
+  ///         for M, nothing has changed and torque() is the last one.
+  Status update(const CpicInput<Scalar, Dofs>& input, const Rows& rows) noexcept;
+  /// Forgets torque and active set.
+  void reset() noexcept;
+
+  const Vector& torque() const noexcept { return torque_; }                       ///< tau* [N m]
+  const Vector& unconstrained_torque() const noexcept { return unconstrained_; }  ///< J^T F_c + N tau_0 [N m]
+  /// lambda_i: >= 0 if row i pushes at its lower bound, <= 0 at its upper, 0 if inactive.
+  Scalar multiplier(int row) const noexcept { return solver_.multiplier(row); }
+  /// The same for the torque limits of a joint.
+  Scalar torque_multiplier(int joint) const noexcept { return solver_.box_multiplier(joint); }
+  /// By how much the bound of a soft row, or of a hard one in an infeasible set, is missed.
+  Scalar slack(int row) const noexcept { return solver_.slack(row); }
+  int active_count() const noexcept { return solver_.active_count(); }
+  int iterations() const noexcept { return solver_.iterations(); }
+  const NullSpace<Scalar, Dofs>& null_space() const noexcept { return null_space_; }
+
+ private:
+  CpicConfig<Scalar, Dofs> config_;
+  NullSpace<Scalar, Dofs> null_space_;
+  ActiveSetSolver<Scalar, Dofs, MaxRows> solver_;
+  Rows torque_rows_;  // the rows of ddq, written for tau
+  Vector torque_ = Vector::Zero();
+  Vector unconstrained_ = Vector::Zero();
+};
+
+template <typename Scalar, int Dofs, int MaxRows>
+Cpic<Scalar, Dofs, MaxRows>::Cpic(const CpicConfig<Scalar, Dofs>& config)
+    : config_(config), null_space_(config.null_space) {
+  for (int joint = 0; joint < Dofs; ++joint) {
+    detail::require(config.torque_limit[joint] > 0, "CpicConfig::torque_limit", "> 0 N m", config.torque_limit[joint]);
+  }
+  detail::require(config.null_space_weight > 0, "CpicConfig::null_space_weight", "> 0", config.null_space_weight);
+}
+
+template <typename Scalar, int Dofs, int MaxRows>
+void Cpic<Scalar, Dofs, MaxRows>::reset() noexcept {
+  solver_.reset();
+  torque_.setZero();
+  unconstrained_.setZero();
+}
+
+template <typename Scalar, int Dofs, int MaxRows>
+Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input, const Rows& rows) noexcept {
+  const Vector6<Scalar> wrench = input.wrench.vector();
+  if (!input.jacobian.allFinite() || !input.mass_matrix.allFinite() || !input.bias.allFinite() || !wrench.allFinite() ||
+      !input.null_torque.allFinite() || !input.other_torque.allFinite()) {
+    return Status::NonFiniteInput;
+  }
+  const Eigen::LLT<JointMatrix<Scalar, Dofs>> cholesky(input.mass_matrix);
+  if (cholesky.info() != Eigen::Success) return Status::NotPositiveDefinite;
+  const JointMatrix<Scalar, Dofs> inverse_mass = cholesky.solve(JointMatrix<Scalar, Dofs>::Identity());
+
+  torque_rows_.clear();
+  for (int i = 0; i < rows.size(); ++i) {
+    const auto& row = rows[i];
+    const Vector a = row.axis < 0 ? Vector(inverse_mass * row.a) : Vector(inverse_mass.col(row.axis));
+    const Scalar shift = a.dot(input.bias);
+    const Status status = torque_rows_.add(a, row.lower + shift, row.upper + shift, row.weight);
+    if (status != Status::Ok) return status;
+  }
+
+  null_space_.update(input.jacobian);
+  const JointMatrix<Scalar, Dofs>& N = null_space_.projector();
+  const Vector unconstrained = input.jacobian.transpose() * wrench + N * input.null_torque;
+  const JointMatrix<Scalar, Dofs> inverse_hessian =
+      (input.jacobian.transpose() * input.jacobian + N / config_.null_space_weight) / 2;
+  // Finite input may still overflow in a product.
+  if (!unconstrained.allFinite() || !inverse_hessian.allFinite()) return Status::NonFiniteInput;
+  const Status status =
+      solver_.solve(inverse_hessian, unconstrained, torque_rows_, -config_.torque_limit - input.other_torque,
+                    config_.torque_limit - input.other_torque);
+  if (!solver_.solution().allFinite()) {
+    solver_.reset();
+    return Status::NonFiniteInput;
+  }
+  unconstrained_ = unconstrained;
+  torque_ = solver_.solution();
+  return status;
+}
+
+}  // namespace rme

@@ -1,0 +1,59 @@
+#pragma once
+/// The dynamical system that circles in a plane.
+#include <cmath>
+#include <rme/control/flow.hpp>
+#include <rme/core/require.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// Settings of LimitCycle; the default plane is the paper's y-z plane.
+template <typename Scalar>
+struct LimitCycleConfig {
+  Vector3<Scalar> center = Vector3<Scalar>::Zero();  ///< c [m], world axes
+  Vector3<Scalar> normal =
+      Vector3<Scalar>::UnitX();      ///< n, of any length > 0; the cycle turns about it by the right hand
+  Scalar radius = Scalar(0.1);       ///< r > 0 [m]
+  Scalar angular_speed = Scalar(1);  ///< w [rad/s]; negative turns the other way
+  Scalar gain = Scalar(2);           ///< k > 0 [1/s], how fast the plane and the circle attract
+};
+
+/// f(x) = w n x p - k (|p|^2 - r^2) / (|p|^2 + r^2) p - k (n.e) n,   e = x - c, p = e - (n.e) n
+///
+/// The circle |p| = r in the plane is the stable limit cycle; f is smooth everywhere, the centre included. All but the
+/// turning is -grad V of V = k (|p|^2 / 2 - r^2 / 2 - r^2 log((|p|^2 + r^2) / (2 r^2))) + k (n.e)^2 / 2, zero on the
+/// cycle. The turning has no potential: it is what drives the arm round.
+template <typename Scalar>
+class LimitCycle {
+ public:
+  /// @throws std::invalid_argument naming the field out of range
+  explicit LimitCycle(const LimitCycleConfig<Scalar>& config) : config_(config) {
+    detail::require(config.radius > 0, "LimitCycleConfig::radius", "> 0 m", config.radius);
+    detail::require(config.gain > 0, "LimitCycleConfig::gain", "> 0 1/s", config.gain);
+    detail::require(config.normal.norm() > 0, "LimitCycleConfig::normal", "a length > 0", config.normal.norm());
+    detail::require(std::abs(config.angular_speed) >= 0, "LimitCycleConfig::angular_speed", "a number",
+                    config.angular_speed);
+    config_.normal.normalize();
+  }
+
+  Flow<Scalar> operator()(const Vector3<Scalar>& x) const noexcept {
+    const Vector3<Scalar> e = x - config_.center;
+    const Vector3<Scalar>& n = config_.normal;
+    const Scalar height = n.dot(e);
+    const Vector3<Scalar> p = e - height * n;
+    const Scalar k = config_.gain, p2 = p.squaredNorm(), r2 = config_.radius * config_.radius;
+    const Scalar ratio = (p2 - r2) / (p2 + r2);
+    Flow<Scalar> flow;
+    flow.conservative = -k * ratio * p - k * height * n;
+    flow.velocity = flow.conservative + config_.angular_speed * n.cross(p);
+    // With u = (p2 - r2) / (2 r2): p2 / 2 - r2 / 2 = r2 u and (p2 + r2) / (2 r2) = 1 + u.
+    const Scalar u = (p2 - r2) / (2 * r2);
+    flow.potential = k * r2 * (u - std::log1p(u)) + k * height * height / 2;
+    return flow;
+  }
+
+ private:
+  LimitCycleConfig<Scalar> config_;
+};
+
+}  // namespace rme

@@ -1,0 +1,49 @@
+#pragma once
+/// The dynamical system that goes straight to a point.
+#include <cmath>
+#include <limits>
+#include <rme/control/flow.hpp>
+#include <rme/core/require.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// Settings of LinearAttractor.
+template <typename Scalar>
+struct LinearAttractorConfig {
+  Vector3<Scalar> target = Vector3<Scalar>::Zero();  ///< x* [m], world axes
+  Scalar gain = Scalar(1);                           ///< k > 0 [1/s]
+  Scalar max_speed = Scalar(0.5);                    ///< v > 0 [m/s]; infinite for a purely linear system
+};
+
+/// f(x) = -k e / sqrt(1 + (k |e| / v)^2), e = x - x*: linear near the target, never faster than v, smooth everywhere.
+/// It is -grad V of V = (v^2 / k) (sqrt(1 + (k |e| / v)^2) - 1), which near the target is k |e|^2 / 2.
+template <typename Scalar>
+class LinearAttractor {
+ public:
+  /// @throws std::invalid_argument naming the field out of range
+  explicit LinearAttractor(const LinearAttractorConfig<Scalar>& config) : config_(config) {
+    detail::require(config.gain > 0, "LinearAttractorConfig::gain", "> 0 1/s", config.gain);
+    detail::require(config.max_speed > 0, "LinearAttractorConfig::max_speed", "> 0 m/s", config.max_speed);
+  }
+
+  Flow<Scalar> operator()(const Vector3<Scalar>& x) const noexcept {
+    const Vector3<Scalar> e = x - config_.target;
+    const Scalar k = config_.gain;
+    const Scalar root = std::sqrt(Scalar(1) + k * k * e.squaredNorm() / (config_.max_speed * config_.max_speed));
+    Flow<Scalar> flow;
+    flow.velocity = -k / root * e;
+    flow.conservative = flow.velocity;
+    // (v^2 / k) (root - 1), written without the difference, which loses all digits near the target.
+    flow.potential = k * e.squaredNorm() / (root + Scalar(1));
+    return flow;
+  }
+
+  /// Moves the target. That changes the potential at once: a passivity monitor has to be told (its reset()).
+  void set_target(const Vector3<Scalar>& target) noexcept { config_.target = target; }
+
+ private:
+  LinearAttractorConfig<Scalar> config_;
+};
+
+}  // namespace rme

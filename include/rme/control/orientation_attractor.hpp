@@ -1,0 +1,51 @@
+#pragma once
+/// The dynamical system that turns the end effector to a target orientation.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <rme/control/flow.hpp>
+#include <rme/core/require.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// Settings of OrientationAttractor.
+template <typename Scalar>
+struct OrientationAttractorConfig {
+  Eigen::Quaternion<Scalar> target = Eigen::Quaternion<Scalar>::Identity();  ///< end-effector axes to world axes
+  Scalar gain = Scalar(2);                                                   ///< k > 0 [1/s]
+};
+
+/// omega = -k sin(theta) u for the rotation (theta, u), world axes, that leads from the target to the present
+/// orientation. It is -grad V of V = k (1 - cos theta), and with (w, v) that rotation's quaternion it is -2 k w v: the
+/// same for q and -q, and smooth on all orientations, unlike every law that is strongest at 180 degrees. The price:
+/// beyond 90 degrees it grows weaker, and 180 degrees is an unstable equilibrium.
+template <typename Scalar>
+class OrientationAttractor {
+ public:
+  /// @throws std::invalid_argument naming the field out of range
+  explicit OrientationAttractor(const OrientationAttractorConfig<Scalar>& config) : config_(config) {
+    detail::require(config.gain > 0, "OrientationAttractorConfig::gain", "> 0 1/s", config.gain);
+    const Scalar norm = config.target.norm();
+    detail::require(std::abs(norm - Scalar(1)) < Scalar(1e-3), "OrientationAttractorConfig::target",
+                    "a unit quaternion", norm);
+    config_.target.normalize();
+  }
+
+  /// @param rotation  R, end-effector axes to world axes
+  /// @return velocity: the angular velocity wanted [rad/s], world axes; potential [rad^2/s]
+  Flow<Scalar> operator()(const Matrix3<Scalar>& rotation) const noexcept {
+    // R R*^T has sin(theta) u as its skew part and 1 + 2 cos(theta) as its trace.
+    const Matrix3<Scalar> error = rotation * config_.target.toRotationMatrix().transpose();
+    const Vector3<Scalar> sine(error(2, 1) - error(1, 2), error(0, 2) - error(2, 0), error(1, 0) - error(0, 1));
+    Flow<Scalar> flow;
+    flow.velocity = -config_.gain / 2 * sine;
+    flow.conservative = flow.velocity;
+    flow.potential = config_.gain * (Scalar(3) - error.trace()) / 2;
+    return flow;
+  }
+
+ private:
+  OrientationAttractorConfig<Scalar> config_;
+};
+
+}  // namespace rme

@@ -1,0 +1,72 @@
+#pragma once
+/// The proof of passivity as something that runs: stored energy against supplied energy, each tick.
+#include <cmath>
+#include <rme/core/require.hpp>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// 1/2 dq^T M dq [J]. For six joints it is the 1/2 xdot^T M_x xdot of [RME, Eq. 34]; a redundant arm also stores energy
+/// in motions that leave the hand where it is.
+template <typename Scalar, int Dofs>
+Scalar kinetic_energy(const JointMatrix<Scalar, Dofs>& mass_matrix, const JointVector<Scalar, Dofs>& dq) noexcept {
+  return dq.dot(mass_matrix * dq) / 2;
+}
+
+/// Keeps the books of the storage function S = kinetic + lambda_1 V [RME, Eq. 34] and of the power supplied to the
+/// system from outside. Passive means that S grows by no more than what was supplied [RME, Eq. 35]: residual() never
+/// rises, but for the error of integrating the power by the trapezoidal rule and of holding the torque for a tick, both
+/// of which vanish with the period.
+///
+/// What to count as supplied is the host's choice of port: the external wrench's power, xdot^T (F_ext + dF_mm); with
+/// PassiveController also its injected_power(), and dq^T of every torque beside J^T F_c: null space, constraint forces.
+template <typename Scalar>
+class PassivityMonitor {
+ public:
+  /// @param period  between two updates [s], > 0
+  /// @throws std::invalid_argument naming the field out of range
+  explicit PassivityMonitor(Scalar period) : period_(period) {
+    detail::require(period > 0, "PassivityMonitor::period", "> 0 s", period);
+  }
+
+  /// Enters one tick into the books; the first one opens them.
+  /// @param storage  S [J]
+  /// @param power    supplied power [W] at the same instant
+  /// @return Ok, or NonFiniteInput: the books stay as they were
+  Status update(Scalar storage, Scalar power) noexcept;
+  /// Closes the books: the next update opens new ones. Needed after a change of potential (a new target).
+  void reset() noexcept { open_ = false; }
+
+  Scalar storage() const noexcept { return storage_; }    ///< S [J]
+  Scalar supplied() const noexcept { return supplied_; }  ///< energy supplied since the books were opened [J]
+  /// S - S(0) - supplied() [J]: minus what was dissipated; never above zero for a passive system.
+  Scalar residual() const noexcept { return open_ ? storage_ - initial_ - supplied_ : Scalar(0); }
+  /// dS/dt less the supplied power, over the last tick [W]: the residual of [RME, Eq. 35], minus xdot^T D xdot.
+  Scalar power_residual() const noexcept { return power_residual_; }
+
+ private:
+  Scalar period_;
+  bool open_ = false;
+  Scalar initial_ = Scalar(0), storage_ = Scalar(0), supplied_ = Scalar(0), power_ = Scalar(0);
+  Scalar power_residual_ = Scalar(0);
+};
+
+template <typename Scalar>
+Status PassivityMonitor<Scalar>::update(Scalar storage, Scalar power) noexcept {
+  if (!std::isfinite(storage) || !std::isfinite(power)) return Status::NonFiniteInput;
+  if (!open_) {
+    open_ = true;
+    initial_ = storage;
+    supplied_ = power_residual_ = Scalar(0);
+  } else {
+    const Scalar mean = (power_ + power) / 2;
+    supplied_ += period_ * mean;
+    power_residual_ = (storage - storage_) / period_ - mean;
+  }
+  storage_ = storage;
+  power_ = power;
+  return Status::Ok;
+}
+
+}  // namespace rme

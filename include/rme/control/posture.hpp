@@ -1,0 +1,35 @@
+#pragma once
+/// Where a redundant arm would like its elbow to be.
+#include <rme/core/require.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// Settings of Posture; a zero stiffness leaves damping alone.
+template <typename Scalar, int Dofs>
+struct PostureConfig {
+  JointVector<Scalar, Dofs> rest = JointVector<Scalar, Dofs>::Zero();  ///< q_0 [rad]
+  Scalar stiffness = Scalar(5);                                        ///< k >= 0 [N m/rad]
+  Scalar damping = Scalar(2);                                          ///< d >= 0 [N m s/rad]
+};
+
+/// tau_0 = k (q_0 - q) - d dq: the torque of which CPIC uses the part N tau_0 that makes no wrench.
+template <typename Scalar, int Dofs>
+class Posture {
+ public:
+  /// @throws std::invalid_argument naming the field out of range
+  explicit Posture(const PostureConfig<Scalar, Dofs>& config) : config_(config) {
+    detail::require(config.stiffness >= 0, "PostureConfig::stiffness", ">= 0 N m/rad", config.stiffness);
+    detail::require(config.damping >= 0, "PostureConfig::damping", ">= 0 N m s/rad", config.damping);
+  }
+
+  JointVector<Scalar, Dofs> torque(const JointVector<Scalar, Dofs>& q,
+                                   const JointVector<Scalar, Dofs>& dq) const noexcept {
+    return config_.stiffness * (config_.rest - q) - config_.damping * dq;
+  }
+
+ private:
+  PostureConfig<Scalar, Dofs> config_;
+};
+
+}  // namespace rme

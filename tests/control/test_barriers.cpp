@@ -1,0 +1,137 @@
+#include <cmath>
+#include <rme/control/barriers.hpp>
+#include <synthetic_arm/panda.hpp>
+
+#include "qp_oracle.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using Vector7 = rme::JointVector<double, 7>;
+using rme::examples::panda;
+
+rme::PointMotion<double, 7> flange_motion(const Vector7& q, const Vector7& dq) {
+  const auto k = panda().kinematics(q);
+  const double h = 1e-5;
+  const rme::Jacobian<double, 7> rate =
+      (panda().kinematics(q + h * dq).jacobian - panda().kinematics(q - h * dq).jacobian) / (2 * h);
+  return {k.position, k.jacobian.topRows<3>() * dq, k.jacobian.topRows<3>(), rate.topRows<3>() * dq};
+}
+
+TEST_CASE("Task-space barriers: gradient and curvature are those of h along the arm's motion", "[barriers]") {
+  // Along q(t) = q + dq t + ddq t^2 / 2: h' = grad_h . dq and h'' = grad_h . ddq + dq^T hess_h dq, by differences of h.
+  const unsigned seed = 4321;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (int i = 0; i < 50; ++i) {
+    const Vector7 q = panda().ready + 0.3 * oracle::random_matrix(random, 7, 1);
+    const Vector7 dq = oracle::random_matrix(random, 7, 1), ddq = oracle::random_matrix(random, 7, 1);
+    const Eigen::Vector3d normal = oracle::random_matrix(random, 3, 1).normalized();
+    const Eigen::Vector3d center(0.4, 0.1, 0.3);
+    const auto barriers = [&](const Vector7& at, const Vector7& rate) {
+      const auto point = flange_motion(at, rate);
+      return std::array<rme::BarrierValue<double, 7>, 3>{
+          rme::half_space<double, 7>(point, normal, 0.2),
+          rme::sphere<double, 7>(point, center, 0.3, rme::SphereSide::Outside),
+          rme::sphere<double, 7>(point, center, 0.9, rme::SphereSide::Inside)};
+    };
+    const double t = 1e-4;
+    const auto now = barriers(q, dq);
+    const auto ahead = barriers(q + t * dq + t * t / 2 * ddq, dq);
+    const auto behind = barriers(q - t * dq + t * t / 2 * ddq, dq);
+    for (std::size_t k = 0; k < 3; ++k) {
+      CAPTURE(k);
+      const double first = (ahead[k].h - behind[k].h) / (2 * t);
+      const double second = (ahead[k].h - 2 * now[k].h + behind[k].h) / (t * t);
+      REQUIRE(now[k].gradient.dot(dq) == Approx(first).margin(1e-6));
+      REQUIRE(now[k].gradient.dot(ddq) + now[k].curvature == Approx(second).margin(1e-5));
+    }
+  }
+}
+
+TEST_CASE("Spheres and planes: h is positive where the point may be, and the distance next to the surface",
+          "[barriers]") {
+  rme::PointMotion<double, 7> point = flange_motion(panda().ready, Vector7::Zero());
+  const Eigen::Vector3d center(1, 1, 1);
+  const auto at = [&](double distance, rme::SphereSide side) {
+    point.position = center + (0.5 + distance) * Eigen::Vector3d(2, -1, 2) / 3;
+    return rme::sphere<double, 7>(point, center, 0.5, side).h;
+  };
+  CHECK(at(1e-4, rme::SphereSide::Outside) == Approx(1e-4).epsilon(1e-3));
+  CHECK(at(-1e-4, rme::SphereSide::Outside) == Approx(-1e-4).epsilon(1e-3));
+  CHECK(at(-1e-4, rme::SphereSide::Inside) == Approx(1e-4).epsilon(1e-3));
+  point.position = {0.1, 0.2, 0.7};
+  CHECK(rme::half_space<double, 7>(point, Eigen::Vector3d::UnitZ(), 0.4).h == Approx(0.3));
+}
+
+TEST_CASE("add_barrier: the bound is -k1 h - k2 grad_h dq - dq hess_h dq with gains from the poles", "[barriers]") {
+  const rme::BarrierPoles<double> poles(2, 5);  // (s + 2)(s + 5) = s^2 + 7 s + 10
+  CHECK(poles.k1 == 10);
+  CHECK(poles.k2 == 7);
+  rme::BarrierValue<double, 2> barrier{0.5, {1, -2}, 0.25};
+  rme::ConstraintRows<double, 2, 4> rows;
+  REQUIRE(rme::add_barrier(barrier, Eigen::Vector2d(0.1, 0.3), poles, rows) == rme::Status::Ok);
+  CHECK(rows[0].lower == Approx(-10 * 0.5 - 7 * (0.1 - 0.6) - 0.25));
+  CHECK(rows[0].upper == rows.kFree);
+  CHECK(rows[0].a == Eigen::Vector2d(1, -2));
+  barrier.h = std::numeric_limits<double>::quiet_NaN();
+  CHECK(rme::add_barrier(barrier, Eigen::Vector2d(0.1, 0.3), poles, rows) == rme::Status::NonFiniteInput);
+  CHECK(rows.size() == 1);
+}
+
+TEST_CASE("A barrier held with equality decays with its poles and never crosses", "[barriers]") {
+  // h'' = -k1 h - k2 h' from h = 1, h' = -2 (the slow pole's own slope): h(t) = exp(-2 t) exactly.
+  const rme::BarrierPoles<double> poles(2, 30);
+  double h = 1, rate = -2;
+  for (int k = 0; k < 20000; ++k) {
+    rme::ConstraintRows<double, 1, 1> rows;
+    using One = Eigen::Matrix<double, 1, 1>;
+    REQUIRE(rme::add_barrier<double, 1, 1>({h, One(1.0), 0.0}, One(rate), poles, rows) == rme::Status::Ok);
+    h += 1e-4 * rate + 0.5e-8 * rows[0].lower;
+    rate += 1e-4 * rows[0].lower;
+    REQUIRE(h > 0);
+  }
+  CHECK(h == Approx(std::exp(-4.0)).epsilon(1e-3));
+}
+
+TEST_CASE("JointLimits: the tighter of position and velocity bound counts, and position wins a contradiction",
+          "[barriers]") {
+  rme::JointLimitsConfig<double, 1> config;
+  using One = Eigen::Matrix<double, 1, 1>;
+  config.q_min << -1;
+  config.q_max << 2;
+  config.velocity_limit << 3;
+  config.poles = {2, 5};
+  config.velocity_pole = 10;
+  const rme::JointLimits<double, 1> limits(config);
+  const auto bounds = [&](double q, double dq) {
+    rme::ConstraintRows<double, 1, 1> rows;
+    REQUIRE(limits.append(One(q), One(dq), rows) == rme::Status::Ok);
+    return Eigen::Vector2d(rows[0].lower, rows[0].upper);
+  };
+  // q = 0, dq = 1: position -10 * 1 - 7 = -17 and 10 * 2 - 7 = 13; velocity -10 * 4 = -40 and 10 * 2 = 20.
+  CHECK((bounds(0, 1) - Eigen::Vector2d(-17, 13)).norm() < 1e-13);
+  // dq = 2.9: position -10 - 20.3 and 20 - 20.3; velocity -59 and 1.
+  CHECK((bounds(0, 2.9) - Eigen::Vector2d(-30.3, -0.3)).norm() < 1e-13);
+  // q = 2.5, outside, dq = -4, too fast back: position -35 + 28 and -5 + 28; velocity 10 ... 70. Lower 10.
+  CHECK((bounds(2.5, -4) - Eigen::Vector2d(10, 23)).norm() < 1e-13);
+  // q = -3, far outside, dq = 3: position 20 - 21 = -1 and 50 - 21 = 29; velocity at most 0. No contradiction: 0.
+  CHECK((bounds(-3, 3) - Eigen::Vector2d(-1, 0)).norm() < 1e-13);
+  // q = -4, dq = 3: position at least 30 - 21 = 9, velocity at most 0: the position wins.
+  CHECK((bounds(-4, 3) - Eigen::Vector2d(9, 9)).norm() < 1e-13);
+}
+
+TEST_CASE("Barriers: unstable poles and inverted limits are refused by name", "[barriers]") {
+  CHECK_THROWS_WITH(rme::BarrierPoles<double>(0, 1), contains("BarrierPoles::first"));
+  CHECK_THROWS_WITH(rme::BarrierPoles<double>(1, -2), contains("BarrierPoles::second"));
+  CHECK_THROWS_WITH(rme::BarrierPoles<double>(std::numeric_limits<double>::quiet_NaN(), 1), contains("stable"));
+  rme::JointLimitsConfig<double, 7> config;
+  config.q_min = panda().q_max;
+  config.q_max = panda().q_min;
+  CHECK_THROWS_WITH((rme::JointLimits<double, 7>(config)), contains("JointLimitsConfig::q_min"));
+  std::swap(config.q_min, config.q_max);
+  config.velocity_limit[3] = 0;
+  CHECK_THROWS_WITH((rme::JointLimits<double, 7>(config)), contains("velocity_limit"));
+}
+
+}  // namespace

@@ -1,0 +1,129 @@
+#include <cmath>
+#include <io/log_reader.hpp>
+#include <limits>
+#include <random>
+#include <rme/sensing/momentum_observer.hpp>
+#include <synthetic_arm/panda.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+template <typename Scalar>
+using Observer = rme::MomentumObserver<Scalar, 2>;
+template <typename Scalar>
+using Config = rme::MomentumObserverConfig<Scalar, 2>;
+using rme::Status;
+
+TEMPLATE_TEST_CASE("MomentumObserver: a step of external torque comes out as 1 - exp(-K t), joint by joint",
+                   "[momentum_observer]", float, double) {
+  using Scalar = TestType;
+  using Vector = rme::JointVector<Scalar, 2>;
+  // Two decoupled inertias under gravity and motor torque; from sample 3 on an external torque e turns them evenly
+  // faster, which is the exact solution of M dv = (tau + e - g) dt. The continuous filter's answer to a step is
+  // e (1 - exp(-K t)), t since the step.
+  const Scalar dt = Scalar(1e-3);
+  const Vector e(2, Scalar(-0.5)), gravity(3, 1), tau(4, Scalar(0.5)), gain(50, 200);
+  const rme::JointMatrix<Scalar, 2> mass = Vector(Scalar(0.5), 2).asDiagonal();
+  Observer<Scalar> observer(dt, Config<Scalar>{gain});
+  Vector dq(Scalar(0.3), Scalar(-0.1));
+  for (int k = 0; k <= 100; ++k) {
+    CAPTURE(k);
+    REQUIRE(observer.update(tau, dq, mass, Vector::Zero(), gravity) == Status::Ok);
+    for (int i = 0; i < 2; ++i) {
+      const double t = 1e-3 * std::max(0, k - 3);
+      const double expected = static_cast<double>(e[i]) * (1 - std::exp(-static_cast<double>(gain[i]) * t));
+      // float: momenta of 1 kg m^2/s have 1e-7 of rounding, divided by 1 ms.
+      CHECK(std::abs(static_cast<double>(observer.tau_ext()[i]) - expected) < (sizeof(Scalar) == 4 ? 1e-3 : 1e-12));
+    }
+    const Vector net = k >= 3 ? Vector(tau - gravity + e) : Vector(tau - gravity);
+    dq += dt * mass.inverse() * net;
+  }
+}
+
+TEST_CASE("MomentumObserver: from q, dq and the command it finds what MuJoCo's log reports as tau_ext",
+          "[momentum_observer]") {
+  const auto log = rme::examples::read_log<7>(RME_TEST_DATA "/mujoco/panda_attach.csv");
+  REQUIRE(log.size() == 311);
+  // The log's observer blends by K dt = 0.05 in each period; so does ours at the gain with 1 - exp(-K dt) = 0.05.
+  rme::MomentumObserverConfig<double, 7> config;
+  config.gain.setConstant(-std::log(1 - 0.05) / 1e-3);
+  rme::MomentumObserver<double, 7> observer(1e-3, config);
+  rme::JointVector<double, 7> held = rme::JointVector<double, 7>::Zero();
+  double largest = 0;
+  for (std::size_t k = 0; k < log.size(); ++k) {
+    CAPTURE(log.t[k]);
+    const auto terms = rme::examples::panda().dynamics(log.q[k], log.dq[k]);
+    REQUIRE(observer.update(held, log.dq[k], terms.mass_matrix, terms.coriolis_transpose, terms.gravity) == Status::Ok);
+    // The log takes C^T dq - g at the start of each period, we take the mean over it: at most half of what gravity
+    // changes in 1 ms, and that is 9e-4 N m here.
+    CHECK((observer.tau_ext() - log.tau_ext[k]).cwiseAbs().maxCoeff() < 5e-4);
+    largest = std::max(largest, log.tau_ext[k].cwiseAbs().maxCoeff());
+    held = log.tau[k];
+  }
+  CHECK(largest > 3);  // so that agreement means something
+}
+
+TEST_CASE("MomentumObserver: gravity that changes as the arm moves is not taken for a push", "[momentum_observer]") {
+  // g = slope t and nothing else: by hand M dq = -slope t^2 / 2. The mean over a period is exact for a straight line.
+  using Vector = rme::JointVector<double, 2>;
+  const Vector slope(30, -20), inertia(0.5, 2), zero = Vector::Zero();
+  Observer<double> observer(1e-3);
+  for (int k = 0; k <= 200; ++k) {
+    const double t = 1e-3 * k;
+    const Vector dq = -t * t / 2 * slope.cwiseQuotient(inertia);
+    REQUIRE(observer.update(zero, dq, inertia.asDiagonal(), zero, t * slope) == Status::Ok);
+    CHECK(observer.tau_ext().norm() < 1e-11);
+  }
+}
+
+TEST_CASE("MomentumObserver: bad input is named and leaves it as it was", "[momentum_observer]") {
+  using Vector = rme::JointVector<double, 2>;
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const Vector tau(1, 2), dq(0.1, 0.2), zero = Vector::Zero();
+  const rme::JointMatrix<double, 2> mass = rme::JointMatrix<double, 2>::Identity();
+  Observer<double> disturbed(1e-3), clean(1e-3);
+  for (int k = 0; k < 3; ++k)
+    for (auto* observer : {&disturbed, &clean}) REQUIRE(observer->update(tau, k * dq, mass, zero, zero) == Status::Ok);
+  const Vector before = disturbed.tau_ext();
+  for (const double bad : {nan, inf, -inf}) {
+    const Vector v(0, bad);
+    CHECK(disturbed.update(v, dq, mass, zero, zero) == Status::NonFiniteInput);
+    CHECK(disturbed.update(tau, v, mass, zero, zero) == Status::NonFiniteInput);
+    CHECK(disturbed.update(tau, dq, bad * mass, zero, zero) == Status::NonFiniteInput);
+    CHECK(disturbed.update(tau, dq, mass, v, zero) == Status::NonFiniteInput);
+    CHECK(disturbed.update(tau, dq, mass, zero, v) == Status::NonFiniteInput);
+    CHECK(disturbed.tau_ext() == before);
+  }
+  REQUIRE(disturbed.update(tau, 3 * dq, mass, zero, zero) == Status::Ok);
+  REQUIRE(clean.update(tau, 3 * dq, mass, zero, zero) == Status::Ok);
+  CHECK(disturbed.tau_ext() == clean.tau_ext());  // nor did any of it stay in the momentum
+}
+
+TEST_CASE("MomentumObserver: after reset the arm's speed is not taken for a push", "[momentum_observer]") {
+  using Vector = rme::JointVector<double, 2>;
+  const Vector zero = Vector::Zero();
+  const rme::JointMatrix<double, 2> mass = rme::JointMatrix<double, 2>::Identity();
+  Observer<double> observer(1e-3);
+  for (const double speed : {0.0, 5.0}) {
+    observer.reset();
+    for (int k = 0; k < 5; ++k) REQUIRE(observer.update(zero, Vector(speed, -speed), mass, zero, zero) == Status::Ok);
+    CHECK(observer.tau_ext() == zero);
+  }
+}
+
+TEST_CASE("MomentumObserver: settings out of range are refused by name", "[momentum_observer]") {
+  CHECK_THROWS_WITH(Observer<double>(0.0), contains("MomentumObserver::dt"));
+  CHECK_THROWS_WITH(Observer<double>(std::nan("")), contains("MomentumObserver::dt"));
+  CHECK_THROWS_WITH(Observer<double>(1e-3, Config<double>{{50, 0}}), contains("MomentumObserverConfig::gain"));
+  CHECK_THROWS_WITH(Observer<double>(1e-3, Config<double>{{std::nan(""), 50}}), contains("gain"));
+}
+
+using V = rme::JointVector<double, 2>;
+using M = rme::JointMatrix<double, 2>;
+static_assert(noexcept(std::declval<Observer<double>&>().update(std::declval<const V&>(), std::declval<const V&>(),
+                                                                std::declval<const M&>(), std::declval<const V&>(),
+                                                                std::declval<const V&>())),
+              "a tick must not throw");
+
+}  // namespace
