@@ -27,7 +27,8 @@ std::unique_ptr<Network> load_network(const std::string& path) {
 
 std::vector<Network::Output> run(const Network& network, const std::string& path) {
   const nlohmann::json file = rme::examples::read_json_file(path);
-  if (!file.is_array()) throw std::runtime_error(path + ": expected an array of windows");
+  if (!file.is_array())
+    throw std::runtime_error(path + ": expected an array of windows, got " + rme::detail::describe(file));
   std::vector<Network::Output> outputs(file.size());
   for (std::size_t i = 0; i < file.size(); ++i) {
     const std::string name = path + ": window [" + std::to_string(i) + "]";

@@ -6,14 +6,14 @@ import torch
 from torch import nn
 
 SAMPLES, CHANNELS, CONV_CHANNELS, CONV_KERNEL = 20, 6, 64, 5
-HEADS, MLP_HIDDEN, MLP_REPEATS, DROPOUT = 8, 256, 3, 0.1
+HEADS, MLP_HIDDEN, MLP_REPEATS = 8, 256, 3
 OUTPUTS = ["mass", "com_x", "com_y", "com_z"]
 
 
 class MismatchNetwork(nn.Module):
     """Pseudo-wrenches [batch][20][6], raw, to (mass [kg], com_x, com_y, com_z [m]); Table 4 of the paper."""
 
-    def __init__(self, mean=None, std=None):
+    def __init__(self, mean=None, std=None, dropout=0.1):
         super().__init__()
         # Buffers that are not parameters: they are exported as "normalization", not among the weights.
         self.register_buffer("mean", torch.zeros(CHANNELS) if mean is None else mean, persistent=False)
@@ -22,7 +22,7 @@ class MismatchNetwork(nn.Module):
         self.positional_embedding = nn.Parameter(0.02 * torch.randn(SAMPLES, CONV_CHANNELS))
         self.attention = nn.MultiheadAttention(CONV_CHANNELS, HEADS, batch_first=True)
         self.mlp = nn.Sequential(nn.Linear(CONV_CHANNELS, MLP_HIDDEN), nn.ReLU(),
-                                 nn.Linear(MLP_HIDDEN, CONV_CHANNELS), nn.Dropout(DROPOUT))
+                                 nn.Linear(MLP_HIDDEN, CONV_CHANNELS), nn.Dropout(dropout))
         self.head = nn.Linear(CONV_CHANNELS, len(OUTPUTS))
 
     def forward(self, window):
