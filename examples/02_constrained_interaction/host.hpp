@@ -136,6 +136,7 @@ class Host {
   static CpicConfig<double, 7> cpic_config(const ArmModel<7>& model) {
     CpicConfig<double, 7> cpic;
     cpic.torque_limit = model.tau_max;
+    cpic.moment_arm = 0.1;  // the size of the hand
     return cpic;
   }
 
