@@ -19,6 +19,15 @@
 #include <rme/inference/payload_statistics.hpp>
 #include <rme/inference/sensor_model.hpp>
 #include <rme/inference/variational_inference.hpp>
+#include <rme/network/architecture.hpp>
+#include <rme/network/conv1d.hpp>
+#include <rme/network/linear.hpp>
+#include <rme/network/mismatch_network.hpp>
+#include <rme/network/mlp.hpp>
+#include <rme/network/normalization.hpp>
+#include <rme/network/self_attention.hpp>
+#include <rme/network/weights.hpp>
+#include <rme/network_prior.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <rme/sensing/onset.hpp>
