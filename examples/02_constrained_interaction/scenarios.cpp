@@ -1,187 +1,300 @@
 // rme_02_scenarios: does the constrained controller keep its promises when nobody picked the situations?
 //
-// Random start poses, targets, payloads up to 2 kg and pushes up to 60 N on a simulated Panda, five seconds each,
-// seeded. Printed: how far joint limits were crossed, whether torque limits held, what became of pushes that no
-// admissible torque can hold, and the energy books (stored against supplied energy).
+// Random start poses, targets, walls, payloads up to 2 kg and pushes up to 60 N on a simulated Panda, five seconds
+// each, seeded; half of the arms have friction and faulty sensors, half of the payloads are compensated (with 10 %
+// error). Printed: how far joint limits were crossed, whether the torque limits held, what became of pushes that no
+// admissible torque can hold, and the energy books. Exit code 0 if every promise was kept.
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <exception>
 #include <random>
 #include <string>
 #include <synthetic_arm/panda.hpp>
 
 #include "host.hpp"
+#include "io/arguments.hpp"
 
 namespace {
 
 using namespace rme::examples;
 using Vector = Host::Vector;
 
-constexpr double kEnd = 5;  // [s]
+constexpr double kEnd = 5;         // of a scenario [s]
+constexpr double kAttach = 1;      // when the payload comes [s]
+constexpr double kHandOver = 0.2;  // how long it takes to weigh in, on arms with faults [s]
+constexpr double kRecovery = 1.5;  // after the last tick without an admissible torque, all is within limits again [s]
+
+constexpr const char* kUsage =
+    R"(usage: rme_02_scenarios [options]
+
+Runs random scenarios of five seconds under the constrained passive controller and prints what became of its promises.
+
+  --count N         how many scenarios (default 1000); a fifth as many with pushes beyond the torque limits follow
+  --seed N          of the first scenario (default 1)
+  --margin RAD      how far inside the joint limits the barriers stand (default 0.005)
+  --help            this text
+
+Exit codes: 0 every promise kept; 1 one broken; 2 unusable arguments.
+)";
 
 struct Scenario {
+  std::uint64_t seed = 0;
   Vector start;
   HostConfig host;
   Push push;
-  RigidBody payload;  // attached at 1 s
+  RigidBody payload;
+  rme::Payload<double> estimate;
   bool faults = false;
-  std::uint64_t seed = 0;
 };
 
+/// What happened in one scenario, or, merged, the worst of many.
 struct Outcome {
-  double crossed = 0;           // deepest violation of a joint limit [rad]
-  double penetrated = 0;        // deepest violation of the wall [m]
-  double speed_excess = 0;      // worst excess of a joint's speed [rad/s]
-  double torque_excess = 0;     // worst excess of a torque limit [N m]
-  double energy_gain = 0;       // largest rise of stored minus supplied energy, over any stretch of time [J]
-  double energy_gain_free = 0;  // the same over stretches without an active constraint [J]
-  double largest_step = 0;      // of the compensation torque in a tick [N m]
-  double clearance = 1;         // least, of the Jacobian
-  int infeasible = 0;           // ticks in which the hard rows could not all be kept
-  int active = 0;               // ticks with an active constraint
-  int unconverged = 0;          // ticks with NotConverged or a refused input
-  int iterations = 0;           // most in a tick
-  bool holdable = true;         // a static torque within the limits always existed
-  bool finite = true;
-  bool recovered = true;  // 1.5 s after an infeasible stretch everything is within limits again
+  int scenarios = 0;
+  long ticks = 0;
+  double crossed = 0;            // deepest violation of a joint limit [rad]
+  int crossings = 0;             // scenarios in which it exceeded 1e-3 rad
+  double penetrated = 0;         // deepest violation of the wall [m]
+  double too_fast = 0;           // worst excess over a joint's speed limit [rad/s]
+  double torque_excess = -1e9;   // largest |tau| - limit [N m]
+  double energy_gain = 0;        // largest rise of stored minus supplied energy away from constraints [J]
+  double imbalance = 0;          // largest error of the books away from constraints, friction apart [J]
+  double compensation_step = 0;  // in a tick [N m]
+  long active = 0;               // ticks with an active constraint
+  int infeasible = 0;            // scenarios with a tick in which the hard rows could not all be kept
+  long infeasible_ticks = 0;
+  int refused = 0;     // ticks with any other status than Ok
+  int iterations = 0;  // most in a tick
+  int nonfinite = 0;   // scenarios with a NaN or an infinity
+  int lost = 0;        // scenarios still beyond a limit kRecovery after the last infeasible tick
+
+  void merge(const Outcome& o) {
+    scenarios += o.scenarios;
+    ticks += o.ticks;
+    crossings += o.crossings;
+    active += o.active;
+    infeasible += o.infeasible;
+    infeasible_ticks += o.infeasible_ticks;
+    refused += o.refused;
+    nonfinite += o.nonfinite;
+    lost += o.lost;
+    crossed = std::max(crossed, o.crossed);
+    penetrated = std::max(penetrated, o.penetrated);
+    too_fast = std::max(too_fast, o.too_fast);
+    torque_excess = std::max(torque_excess, o.torque_excess);
+    energy_gain = std::max(energy_gain, o.energy_gain);
+    imbalance = std::max(imbalance, o.imbalance);
+    compensation_step = std::max(compensation_step, o.compensation_step);
+    iterations = std::max(iterations, o.iterations);
+  }
 };
 
-/// J^T of everything that hangs and pushes, against the limits.
+/// The torque that holds arm, payload and push still, as a share of the limits.
 double static_load(const ArmModel<7>& model, const Vector& q, const RigidBody& payload, const Eigen::Vector3d& push) {
   const Vector hold =
       model.dynamics(q, Vector::Zero(), payload).gravity - model.kinematics(q).jacobian.topRows<3>().transpose() * push;
   return hold.cwiseAbs().cwiseQuotient(model.tau_max).maxCoeff();
 }
 
-Scenario draw(const ArmModel<7>& model, std::uint64_t seed, bool payloads) {
+/// @param overload  false: the limits hold the arm in its start pose with 40 % to spare; true: they cannot
+Scenario draw(const ArmModel<7>& model, std::uint64_t seed, double margin, bool overload) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform;
   std::normal_distribution<double> normal;
   const auto direction = [&] { return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized(); };
   const auto pose = [&] {
     Vector q;
-    for (int j = 0; j < 7; ++j)
+    for (int j = 0; j < 7; ++j) {
       q[j] = model.q_min[j] + (0.1 + 0.8 * uniform(random)) * (model.q_max[j] - model.q_min[j]);
+    }
     return q;
   };
   Scenario s;
   s.seed = seed;
-  for (;;) {
+  for (bool fits = false; !fits;) {
     s.start = pose();
-    s.push.force = 60 * uniform(random) * direction();
+    s.push.force = (overload ? 60 + 60 * uniform(random) : 60 * uniform(random)) * direction();
     s.payload = {};
-    if (payloads && uniform(random) < 0.7) {
+    if (uniform(random) < 0.7) {
       const Eigen::Vector3d com(0.1 * uniform(random) - 0.05, 0.1 * uniform(random) - 0.05, 0.12 * uniform(random));
       s.payload = box(0.2 + 1.8 * uniform(random), com, {0.08, 0.08, 0.1});
     }
-    // As drawn, the limits hold the arm with 40 % to spare.
-    if (static_load(model, s.start, s.payload, s.push.force) < 0.6) break;
+    const double load = static_load(model, s.start, s.payload, s.push.force);
+    fits = overload ? load > 1 && load < 2 && static_load(model, s.start, s.payload, {0, 0, 0}) < 0.6 : load < 0.6;
   }
   const auto goal = model.kinematics(s.start + 0.5 * (pose() - s.start));
   s.host.target = goal.position;
   s.host.orientation = Eigen::Quaterniond(goal.rotation);
+  s.host.margin = margin;
   if (uniform(random) < 0.3) s.host.cycle_radius = 0.05 + 0.1 * uniform(random);
   if (uniform(random) < 0.5) {
-    Wall wall;
-    wall.normal = direction();
-    wall.offset = wall.normal.dot(model.kinematics(s.start).position) - 0.05 - 0.2 * uniform(random);
-    s.host.wall = wall;
+    const Eigen::Vector3d n = direction();
+    s.host.wall = Wall{n, n.dot(model.kinematics(s.start).position) - 0.05 - 0.2 * uniform(random)};
   }
   s.push.start = 0.5 + 2 * uniform(random);
   s.push.rise = 0.1 + 0.2 * uniform(random);
   s.push.hold = uniform(random);
-  if (payloads && uniform(random) < 0.5) {
-    s.host.estimate = {s.payload.mass * (0.9 + 0.2 * uniform(random)), s.payload.com};
-  }
-  s.faults = payloads && uniform(random) < 0.5;
+  if (uniform(random) < 0.5) s.estimate = {s.payload.mass * (0.9 + 0.2 * uniform(random)), s.payload.com};
+  s.faults = uniform(random) < 0.5;
   return s;
 }
 
-Outcome run(const ArmModel<7>& model, const Scenario& s, double period, int substeps) {
+Outcome run(const ArmModel<7>& model, const Scenario& s, double period) {
   SyntheticArmConfig<7> config = s.faults ? with_typical_faults(model, s.seed) : SyntheticArmConfig<7>{};
   config.dt = period;
-  config.substeps = substeps;
   HostConfig host_config = s.host;
   host_config.period = period;
-  const rme::Payload<double> estimate = host_config.estimate;
-  host_config.estimate = {};
   SyntheticArm<7> arm(model, config, s.start);
-  Host before(model, host_config);
-  host_config.estimate = estimate;
-  Host after(model, host_config);
+  Host host(model, host_config);
+  EnergyBooks books(period);
 
   Outcome out;
-  double lowest = 0, lowest_free = 0, last_infeasible = -10;
-  bool free_books = false;
+  out.scenarios = 1;
+  double lowest = 0;  // of stored minus supplied energy since the books were opened
+  double last_infeasible = -kRecovery;
   Vector compensation = Vector::Zero();
+  const int attach = static_cast<int>(std::lround(kAttach / period));
   const int ticks = static_cast<int>(std::lround(kEnd / period));
-  for (int k = 0; k < ticks; ++k) {
+  for (int k = 0; k < ticks; ++k, ++out.ticks) {
     const double t = k * period;
-    Host& host = t < 1 ? before : after;
-    if (k == static_cast<int>(std::lround(1 / period)) && s.payload.mass > 0) arm.attach(s.payload, s.faults ? 0.2 : 0);
-    const Eigen::Vector3d push = s.push.at(t + period / 2);  // held over the tick, as the torque is
+    if (k == attach && s.payload.mass > 0) {
+      arm.attach(s.payload, s.faults ? kHandOver : 0);
+      host.set_estimate(s.estimate);
+    }
+    const Eigen::Vector3d push = s.push.at(t);
     arm.push({push, Eigen::Vector3d::Zero()});
-    const Vector torque = host.update(arm, push);
-    const rme::Status status = host.status();
-    if (status == rme::Status::Infeasible) {
-      ++out.infeasible;
+    const Vector torque = host.update(arm);
+    if (host.status() == rme::Status::Infeasible) {
+      ++out.infeasible_ticks;
       last_infeasible = t;
-    } else if (status != rme::Status::Ok) {
-      ++out.unconverged;
+    } else if (host.status() != rme::Status::Ok) {
+      ++out.refused;
     }
     out.active += host.cpic().active_count() > 0 ? 1 : 0;
     out.iterations = std::max(out.iterations, host.cpic().iterations());
-    out.clearance = std::min(out.clearance, host.cpic().null_space().clearance());
     out.torque_excess = std::max(out.torque_excess, (torque.cwiseAbs() - model.tau_max).maxCoeff());
-    out.largest_step = std::max(out.largest_step, (host.compensation() - compensation).cwiseAbs().maxCoeff());
+    out.compensation_step = std::max(out.compensation_step, (host.compensation() - compensation).cwiseAbs().maxCoeff());
     compensation = host.compensation();
-    if (static_load(model, arm.q(), arm.payload(), push) > 0.95) out.holdable = false;
 
-    const double residual = host.monitor().residual();
-    if (&host == &after && k == static_cast<int>(std::lround(1 / period))) lowest = residual;
-    lowest = std::min(lowest, residual);
-    out.energy_gain = std::max(out.energy_gain, residual - lowest);
-    if (host.cpic().active_count() > 0 || k == static_cast<int>(std::lround(1 / period))) {
-      free_books = false;
-    } else if (!free_books) {
-      free_books = true;
-      lowest_free = residual;
+    // A payload that appears, or is being handed over, brings energy of its own; so do constraints, and rightly.
+    books.update(arm, host, push);
+    const bool handing_over = s.payload.mass > 0 && t > kAttach - 2 * period && t < kAttach + kHandOver + period;
+    if (handing_over || host.cpic().active_count() > 0) {
+      books.reset();
+      lowest = 0;
     } else {
-      lowest_free = std::min(lowest_free, residual);
-      out.energy_gain_free = std::max(out.energy_gain_free, residual - lowest_free);
+      lowest = std::min(lowest, books.residual());
+      out.energy_gain = std::max(out.energy_gain, books.residual() - lowest);
+      if (!s.faults) out.imbalance = std::max(out.imbalance, std::abs(books.imbalance()));
     }
 
     arm.step(torque);
     if (!torque.allFinite() || !arm.q().allFinite() || !arm.dq().allFinite()) {
-      out.finite = false;
+      out.nonfinite = 1;
       break;
     }
     const double crossed = std::max((arm.q() - model.q_max).maxCoeff(), (model.q_min - arm.q()).maxCoeff());
     out.crossed = std::max(out.crossed, crossed);
-    out.speed_excess = std::max(out.speed_excess, (arm.dq().cwiseAbs() - model.dq_max).maxCoeff());
+    out.too_fast = std::max(out.too_fast, (arm.dq().cwiseAbs() - model.dq_max).maxCoeff());
     if (s.host.wall) {
-      out.penetrated =
-          std::max(out.penetrated, s.host.wall->offset - s.host.wall->normal.dot(arm.kinematics().position));
+      const double h = s.host.wall->normal.dot(arm.kinematics().position) - s.host.wall->offset;
+      out.penetrated = std::max(out.penetrated, -h);
     }
-    if (t > last_infeasible + 1.5 && crossed > 1e-3) out.recovered = false;
+    if (t > last_infeasible + kRecovery && crossed > 1e-3) out.lost = 1;
   }
+  out.crossings = out.crossed > 1e-3 ? 1 : 0;
+  out.infeasible = out.infeasible_ticks > 0 ? 1 : 0;
   return out;
+}
+
+int run(int argc, char** argv) {
+  Arguments arguments(argc, argv);
+  const int count = static_cast<int>(arguments.number("--count").value_or(1000));
+  const auto seed = static_cast<std::uint64_t>(arguments.number("--seed").value_or(1));
+  const double margin = arguments.number("--margin").value_or(0.005);
+  arguments.finish();
+  if (count < 5) throw ArgumentError("--count: expected 5 or more");
+
+  const ArmModel<7>& model = panda();
+  Outcome all, overloaded, empty_handed, loaded;
+  for (int i = 0; i < count; ++i) {
+    const Scenario s = draw(model, seed + static_cast<std::uint64_t>(i), margin, false);
+    const Outcome outcome = run(model, s, 1e-3);
+    all.merge(outcome);
+    (s.payload.mass > 0 ? loaded : empty_handed).merge(outcome);
+    if (outcome.crossings > 0)
+      std::printf("seed %llu crosses a joint limit by %.1e rad\n", static_cast<unsigned long long>(s.seed),
+                  outcome.crossed);
+  }
+  for (int i = 0; i < count / 5; ++i) {
+    overloaded.merge(run(model, draw(model, seed + static_cast<std::uint64_t>(count + i), margin, true), 1e-3));
+  }
+  double imbalance[3] = {0, 0, 0}, gain[3] = {0, 0, 0};
+  const double periods[3] = {1e-3, 5e-4, 2.5e-4};
+  for (int i = 0; i < count / 10; ++i) {
+    Scenario s = draw(model, seed + static_cast<std::uint64_t>(i), margin, false);
+    s.faults = false;
+    for (int p = 0; p < 3; ++p) {
+      const Outcome outcome = run(model, s, periods[p]);
+      imbalance[p] = std::max(imbalance[p], outcome.imbalance);
+      gain[p] = std::max(gain[p], outcome.energy_gain);
+    }
+  }
+
+  bool kept = true;
+  const auto promise = [&kept](const char* what, double value, const char* unit, double limit) {
+    const bool good = value <= limit;
+    kept = kept && good;
+    std::printf("  %-66s %11.3g %-5s <= %-6g %s\n", what, value, unit, limit, good ? "kept" : "BROKEN");
+  };
+  const auto fact = [](const char* what, double value, const char* unit) {
+    std::printf("  %-66s %11.3g %s\n", what, value, unit);
+  };
+  std::printf("%d scenarios that the torque limits can hold, seeds from %llu (%ld ticks, %.0f %% with an active row)\n",
+              all.scenarios, static_cast<unsigned long long>(seed), all.ticks,
+              100.0 * static_cast<double>(all.active) / static_cast<double>(all.ticks));
+  promise("joint limit crossed by", all.crossed, "rad", 1e-3);
+  promise("torque beyond its limit by", std::max(all.torque_excess, 0.0), "N m", 0);
+  promise("scenarios with a NaN or an infinity", all.nonfinite, "", 0);
+  promise("ticks refused or not converged", all.refused, "", 0);
+  promise("compensation step in a tick", all.compensation_step, "N m", 1);
+  fact("scenarios with a tick without an admissible torque", all.infeasible, "");
+  fact("wall (a soft row) passed by", all.penetrated, "m");
+  fact("joint speed beyond its limit by", all.too_fast, "rad/s");
+  fact("most iterations in a tick", all.iterations, "");
+  std::printf("%d scenarios with a push that they cannot hold\n", overloaded.scenarios);
+  fact("scenarios, ticks without an admissible torque", overloaded.infeasible, "scenarios");
+  fact("", static_cast<double>(overloaded.infeasible_ticks), "ticks");
+  fact("joint limit crossed by", overloaded.crossed, "rad");
+  promise("torque beyond its limit by", std::max(overloaded.torque_excess, 0.0), "N m", 0);
+  promise("scenarios with a NaN or an infinity", overloaded.nonfinite, "", 0);
+  promise("scenarios not back within 1e-3 rad, 1.5 s after", overloaded.lost, "", 0);
+  std::printf("energy: the largest rise of stored minus supplied, away from constraints\n");
+  promise("empty hand", empty_handed.energy_gain, "J", 1e-3);
+  promise("with a payload, the power of the wrench error counted in", loaded.energy_gain, "J", 1e-3);
+  for (int p = 0; p < 3; ++p) {
+    std::printf(
+        "  period %.2f ms, %4d scenarios without friction: largest rise %8.1e J, largest error of the books %8.1e J\n",
+        1e3 * periods[p], count / 10, gain[p], imbalance[p]);
+  }
+  return kept ? 0 : 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
-  const std::uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
-  const ArmModel<7>& model = panda();
-  for (int i = 0; i < count; ++i) {
-    const Scenario s = draw(model, first + static_cast<std::uint64_t>(i), true);
-    const Outcome o = run(model, s, 1e-3, 1);
-    std::printf(
-        "%4d cross %9.2e wall %9.2e speed %9.2e torque %9.2e gain %9.2e free %9.2e act %4d infeas %4d unconv %d it %2d "
-        "clear %.3f hold %d rec %d fin %d m %.2f f %.1f faults %d est %.2f cyc %d\n",
-        i, o.crossed, o.penetrated, o.speed_excess, o.torque_excess, o.energy_gain, o.energy_gain_free, o.active,
-        o.infeasible, o.unconverged, o.iterations, o.clearance, o.holdable, o.recovered, o.finite, s.payload.mass,
-        s.push.force.norm(), s.faults, s.host.estimate.mass, s.host.cycle_radius ? 1 : 0);
+  for (int i = 1; i < argc; ++i) {
+    if (std::string(argv[i]) == "--help") {
+      std::printf("%s", kUsage);
+      return 0;
+    }
+  }
+  try {
+    return run(argc, argv);
+  } catch (const ArgumentError& error) {
+    std::fprintf(stderr, "rme_02_scenarios: %s\n\n%s", error.what(), kUsage);
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "rme_02_scenarios: %s\n", error.what());
+    return 1;
   }
 }

@@ -143,6 +143,8 @@ class Estimator {
   bool estimated() const noexcept { return phase_ == Phase::Estimating; }
   /// True on the tick that found a change to be no payload: estimate() is still the one before.
   bool rejected() const noexcept { return rejected_; }
+  /// When the last collection began [s].
+  double detected_at() const noexcept { return detected_at_; }
   /// What the last collection was judged to be.
   const Verdict<Scalar>& verdict() const noexcept { return verdict_; }
   /// tau_comp = -J^T w(payload) [N m]; zero for an empty hand. Pass it through a CompensationRamp.
@@ -164,7 +166,12 @@ class Estimator {
   bool is_onset(const Onset<Scalar>& onset) const noexcept {
     return onset.sharp() && onset.jump > static_cast<Scalar>(config_.onset_jump);
   }
-  Eigen::Matrix<double, Dofs, 1> watched(const Proprioception<Scalar, Dofs>& sample) const noexcept;
+  Eigen::Matrix<double, Dofs, 1> watched() const noexcept;
+  PayloadRegressor<Scalar, Dofs> regressor(const Sample<Scalar, Dofs>& sample,
+                                           const Vector3<Scalar>& com) const noexcept {
+    return payload_regressor<Scalar, Dofs>(sample.raw.jacobian, sample.raw.rotation, config_.gravity, sample.motion,
+                                           com, static_cast<Scalar>(config_.gyration_radius));
+  }
   void begin_collection(bool triggered) noexcept;
   void learn_baseline(std::size_t newest, std::size_t count) noexcept;
   Statistics statistics(std::size_t oldest, std::size_t newest, const Vector3<Scalar>& com_guess) const noexcept;
@@ -187,6 +194,7 @@ class Estimator {
   bool triggered_ = false;  // by the host, not by the detector
   bool tared_ = false;
   bool rejected_ = false;
+  bool pushed_ = false;  // the last change was a push: what follows it is no baseline
   double detected_at_ = 0;
 };
 
@@ -224,7 +232,7 @@ void Estimator<Scalar, Dofs, PriorSource>::reset() noexcept {
   phase_ = Phase::Watching;
   estimate_ = Estimate<Scalar>();
   ticks_ = 0;
-  tared_ = false;
+  tared_ = pushed_ = rejected_ = false;
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -241,18 +249,20 @@ Status Estimator<Scalar, Dofs, PriorSource>::update(const Proprioception<Scalar,
     if (++collected_ >= ticks_of(config_.collection)) make_estimate();
     return Status::Ok;
   }
-  if (detector_.update(watched(sample)) == Status::Ok && detector_.detected()) begin_collection(false);
+  if (detector_.update(watched()) == Status::Ok && detector_.detected()) begin_collection(false);
   return Status::Ok;
 }
 
-/// The signal in which changes are looked for. When a loaded arm moves its torque changes without any event, so the
-/// known payload's share is taken off.
+/// The signal in which changes are looked for. When a loaded arm moves its torque changes without any event, and when
+/// compensation sets in it is the payload's inertia that shows, so the known payload's share is taken off.
 template <typename Scalar, int Dofs, typename PriorSource>
-Eigen::Matrix<double, Dofs, 1> Estimator<Scalar, Dofs, PriorSource>::watched(
-    const Proprioception<Scalar, Dofs>& sample) const noexcept {
+Eigen::Matrix<double, Dofs, 1> Estimator<Scalar, Dofs, PriorSource>::watched() const noexcept {
+  const Sample<Scalar, Dofs>& newest = window_.newest();
   if (config_.watch_norm)  // in one channel; the others stay zero
-    return Eigen::Matrix<double, Dofs, 1>::Unit(0) * static_cast<double>(sample.tau_ext.norm());
-  return (sample.tau_ext + compensation(sample.jacobian, sample.rotation)).template cast<double>();
+    return Eigen::Matrix<double, Dofs, 1>::Unit(0) * static_cast<double>(newest.raw.tau_ext.norm());
+  if (estimate_.empty) return newest.tau.template cast<double>();
+  const Payload<Scalar> payload = estimate_.payload();
+  return (newest.tau - regressor(newest, payload.com).torque(payload)).template cast<double>();
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -285,7 +295,7 @@ void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noex
     quiet_age = onset.age + 1;
     if (!triggered) onset_age_ = quiet_age;
   }
-  if (estimate_.empty && !tared_ && !interrupted)
+  if (estimate_.empty && !tared_ && !interrupted && !pushed_)
     learn_baseline(quiet_age + ticks_of(config_.baseline_guard), ticks_of(config_.baseline));
 }
 
@@ -308,8 +318,7 @@ PayloadStatistics<Scalar, Dofs> Estimator<Scalar, Dofs, PriorSource>::statistics
     const Sample<Scalar, Dofs>& s = window_.newest(age);
     PayloadObservation<Scalar, Dofs> o;
     o.tau = s.tau;
-    o.regressor = payload_regressor<Scalar, Dofs>(s.raw.jacobian, s.raw.rotation, config_.gravity, s.motion, com_guess,
-                                                  static_cast<Scalar>(config_.gyration_radius));
+    o.regressor = regressor(s, com_guess);
     o.direction = s.direction;
     o.velocity = s.raw.dq;
     sums.add(o);
@@ -339,6 +348,7 @@ void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
   verdict_ = inference_.judge(sums, prior, estimate_.payload(), window_.newest().raw.jacobian);
   if (!triggered_ && !verdict_.is_payload()) {
     rejected_ = true;
+    pushed_ = verdict_.push > verdict_.unchanged;
     return;
   }
   // The estimate is made from all of them. The inertia force is expanded about a centre of mass: first the prior's,
@@ -349,6 +359,7 @@ void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
   com_guess = average.moments().mean.template tail<3>();
   average = inference_.posterior(statistics(count, 0, com_guess), prior);
   if (average.empty()) return;
+  pushed_ = false;
   estimate_.posterior = average.moments();
   estimate_.empty = verdict_.is_empty();
   if (estimate_.empty) estimate_.posterior.mean.setZero();

@@ -1,6 +1,18 @@
 #pragma once
 /// All of rme but its JSON form (rme/network/json.hpp, target rme::json).
+#include <rme/control/active_set_solver.hpp>
+#include <rme/control/barriers.hpp>
 #include <rme/control/compensation.hpp>
+#include <rme/control/constraint_rows.hpp>
+#include <rme/control/cpic.hpp>
+#include <rme/control/flow.hpp>
+#include <rme/control/limit_cycle.hpp>
+#include <rme/control/linear_attractor.hpp>
+#include <rme/control/null_space.hpp>
+#include <rme/control/orientation_attractor.hpp>
+#include <rme/control/passive_controller.hpp>
+#include <rme/control/passivity_monitor.hpp>
+#include <rme/control/posture.hpp>
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/require.hpp>

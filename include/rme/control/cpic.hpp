@@ -19,6 +19,9 @@ struct CpicConfig {
   /// eps > 0 [1/m^2]: what a null-space torque of 1 N m costs against a task force error of 1 N, squared. Small: the
   /// constraints use up the null space before they disturb the task.
   Scalar null_space_weight = Scalar(1e-3);
+  /// l > 0 [m]: a moment error of 1 N m counts as a force error of 1 / l newton. 1 is the paper's cost. About the size
+  /// of the hand keeps a constraint on its position from being met by swinging it round the wrist.
+  Scalar moment_arm = Scalar(1);
   NullSpaceConfig<Scalar> null_space = NullSpaceConfig<Scalar>();
 };
 
@@ -40,12 +43,12 @@ struct CpicInput {
 
 /// Each tick solves
 ///
-///     min  |J^+T tau - F_c|^2 + eps |N (tau - tau_0)|^2
+///     min  |W (J^+T tau - F_c)|^2 + eps |N (tau - tau_0)|^2,   W = diag(1, 1, 1, 1/l, 1/l, 1/l)
 ///     s.t. lower_i <= grad_i^T ddq <= upper_i,   M ddq = tau - h,   |tau + other_torque| <= torque_limit
 ///
 /// [RME, Eq. 21 to 27, for redundant arms; docs/theory_control.md]. The unconstrained answer is J^T F_c + N tau_0; the
-/// inverse of the cost's Hessian is (J^T J + N / eps) / 2 and is never factorised. Rows come from barriers.hpp or the
-/// host, in the same order each tick, so that the last active set is a good first guess.
+/// inverse of the cost's Hessian is (J^T W^-2 J + N / eps) / 2 and is never factorised. Rows come from barriers.hpp or
+/// the host, in the same order each tick, so that the last active set is a good first guess.
 ///
 /// Near singular poses N is damped (null_space.hpp): the torques that J is about to lose become cheap to use for the
 /// constraints, and N tau_0 may then disturb the hand a little, |J N| <= lambda / 2. J^T F_c needs no inverse, hence no
@@ -98,6 +101,7 @@ Cpic<Scalar, Dofs, MaxRows>::Cpic(const CpicConfig<Scalar, Dofs>& config)
     detail::require(config.torque_limit[joint] > 0, "CpicConfig::torque_limit", "> 0 N m", config.torque_limit[joint]);
   }
   detail::require(config.null_space_weight > 0, "CpicConfig::null_space_weight", "> 0", config.null_space_weight);
+  detail::require(config.moment_arm > 0, "CpicConfig::moment_arm", "> 0 m", config.moment_arm);
 }
 
 template <typename Scalar, int Dofs, int MaxRows>
@@ -130,8 +134,9 @@ Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input,
   null_space_.update(input.jacobian);
   const JointMatrix<Scalar, Dofs>& N = null_space_.projector();
   const Vector unconstrained = input.jacobian.transpose() * wrench + N * input.null_torque;
-  const JointMatrix<Scalar, Dofs> inverse_hessian =
-      (input.jacobian.transpose() * input.jacobian + N / config_.null_space_weight) / 2;
+  Jacobian<Scalar, Dofs> scaled = input.jacobian;  // W^-1 J
+  scaled.template bottomRows<3>() *= config_.moment_arm;
+  const JointMatrix<Scalar, Dofs> inverse_hessian = (scaled.transpose() * scaled + N / config_.null_space_weight) / 2;
   // Finite input may still overflow in a product.
   if (!unconstrained.allFinite() || !inverse_hessian.allFinite()) return Status::NonFiniteInput;
   const Status status =

@@ -1,0 +1,150 @@
+// 02_constrained_interaction: somebody pushes an arm against a wall and up to a joint limit. What does the constrained
+// passive controller (CPIC) do about it, and what does the same controller do without its constraints?
+//
+// A simulated Panda tracks a linear attractor in front of a wall. A scripted person pushes it into the wall at 1 s,
+// then up at 4 s, where the elbow runs out of travel. The same eight seconds run twice: with CPIC, and with the
+// unconstrained law cut to the torque limits. Printed are the distances to wall and limit and the energies; with
+// --output DIR both runs are written as CSV (plot.py draws them).
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <synthetic_arm/panda.hpp>
+
+#include "host.hpp"
+#include "io/arguments.hpp"
+
+namespace {
+
+using namespace rme::examples;
+using Vector = Host::Vector;
+
+constexpr double kPeriod = 1e-3;  // [s]
+constexpr double kEnd = 8;        // [s]
+constexpr double kRoom = 0.1;     // from the flange's start to the wall [m]
+
+constexpr const char* kUsage =
+    R"(usage: rme_02_constrained_interaction [options]
+
+Somebody pushes an arm into a wall and up to a joint limit, with CPIC and without. Prints how close it came to both.
+
+  --force N         how hard each push is, 10 to 60 (default 45)
+  --output DIR      write constrained.csv and unconstrained.csv there; the folder is made if need be
+  --help            this text
+
+Exit codes: 0 CPIC kept wall and joint limits; 1 it did not; 2 unusable arguments.
+)";
+
+struct Result {
+  double wall = 1;      // least distance of the flange to the wall [m]; negative: in it
+  double limit = 10;    // least distance of a joint to its limit [rad]; negative: beyond
+  double torque = 0;    // largest share of a torque limit
+  double stored = 0;    // most energy stored [J]
+  double residual = 0;  // largest rise of stored minus supplied energy [J]
+  double active = 0;    // time with an active constraint [s]
+};
+
+Result run(bool constrained, double force, std::ofstream* csv) {
+  const ArmModel<7>& model = panda();
+  const Vector start = model.ready;
+  const Kinematics<7> at = model.kinematics(start);
+  const Wall wall{-Eigen::Vector3d::UnitX(), -(at.position.x() + kRoom)};
+  HostConfig config;
+  config.constrained = constrained;
+  config.wall = wall;
+  config.target = at.position;
+  config.orientation = Eigen::Quaterniond(at.rotation);
+  const Push forward{1, 0.2, 1.2, force * Eigen::Vector3d::UnitX()};
+  const Push back{4, 0.2, 1.6, -force * Eigen::Vector3d(1, 0, 1).normalized()};
+
+  SyntheticArm<7> arm(model, {}, start);
+  Host host(model, config);  // may throw: before the loop, never inside it
+  EnergyBooks books(kPeriod);
+  Result result;
+  double lowest = 0;
+  if (csv) {
+    *csv << "t,push_x,push_z,h_wall,h_limit,stored,supplied,residual,active";
+    for (int j = 1; j <= 7; ++j) *csv << ",tau" << j;
+    *csv << '\n';
+  }
+  for (int k = 0; k < static_cast<int>(kEnd / kPeriod); ++k) {
+    const double t = k * kPeriod;
+    const Eigen::Vector3d push = forward.at(t) + back.at(t);
+    arm.push({push, Eigen::Vector3d::Zero()});
+    const Vector torque = host.update(arm);  // what a torque callback would hold
+    books.update(arm, host, push);
+
+    const double h_wall = wall.normal.dot(arm.kinematics().position) - wall.offset;
+    const double h_limit = std::min((model.q_max - arm.q()).minCoeff(), (arm.q() - model.q_min).minCoeff());
+    result.wall = std::min(result.wall, h_wall);
+    result.limit = std::min(result.limit, h_limit);
+    result.torque = std::max(result.torque, torque.cwiseAbs().cwiseQuotient(model.tau_max).maxCoeff());
+    result.stored = std::max(result.stored, books.stored());
+    lowest = std::min(lowest, books.residual());
+    result.residual = std::max(result.residual, books.residual() - lowest);
+    result.active += host.cpic().active_count() > 0 ? kPeriod : 0;
+    if (csv && k % 5 == 0) {
+      *csv << t << ',' << push.x() << ',' << push.z() << ',' << h_wall << ',' << h_limit << ',' << books.stored() << ','
+           << books.supplied() << ',' << books.residual() << ',' << host.cpic().active_count();
+      for (int j = 0; j < 7; ++j) *csv << ',' << torque[j];
+      *csv << '\n';
+    }
+    arm.step(torque);
+  }
+  return result;
+}
+
+int run(int argc, char** argv) {
+  Arguments arguments(argc, argv);
+  const double force = arguments.number("--force").value_or(45);
+  const std::optional<std::string> output = arguments.text("--output");
+  arguments.finish();
+  if (!(force >= 10 && force <= 60)) throw ArgumentError("--force: expected 10 to 60 N");
+
+  Result results[2];
+  for (const bool constrained : {true, false}) {
+    std::ofstream csv;
+    if (output) {
+      std::filesystem::create_directories(*output);
+      csv.exceptions(std::ofstream::failbit | std::ofstream::badbit);
+      csv.open(std::filesystem::path(*output) / (constrained ? "constrained.csv" : "unconstrained.csv"));
+    }
+    results[constrained ? 0 : 1] = run(constrained, force, output ? &csv : nullptr);
+  }
+
+  const auto& [with, without] = results;
+  std::printf("pushes of %.0f N                          with CPIC   without\n", force);
+  const auto row = [](const char* what, const char* unit, double a, double b) {
+    std::printf("  %-28s %-5s %10.3f %10.3f\n", what, unit, a, b);
+  };
+  row("least distance to the wall", "mm", 1e3 * with.wall, 1e3 * without.wall);
+  row("least distance to a limit", "mrad", 1e3 * with.limit, 1e3 * without.limit);
+  row("largest share of a torque", "%", 100 * with.torque, 100 * without.torque);
+  row("most energy stored", "J", with.stored, without.stored);
+  row("rise of stored - supplied", "J", with.residual, without.residual);
+  row("time with an active row", "s", with.active, without.active);
+  return with.wall > -5e-3 && with.limit > -1e-3 ? 0 : 1;  // the wall is a soft row
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (std::string(argv[i]) == "--help") {
+      std::printf("%s", kUsage);
+      return 0;
+    }
+  }
+  try {
+    return run(argc, argv);
+  } catch (const ArgumentError& error) {
+    std::fprintf(stderr, "rme_02_constrained_interaction: %s\n\n%s", error.what(), kUsage);
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "rme_02_constrained_interaction: %s\n", error.what());
+    return 1;
+  }
+}
