@@ -53,8 +53,12 @@ struct RandomArm {
     }
   }
 
-  /// Q = 2 (J^+ J^+T + eps N)
-  Matrix hessian(double eps) const { return 2 * (pseudo_inverse * pseudo_inverse.transpose() + eps * null_projector); }
+  /// Q = 2 (J^+ W^2 J^+T + eps N), where W weighs moments by 1 / l
+  Matrix hessian(double eps, double moment_arm = 1) const {
+    Eigen::Matrix<double, Dofs, 6> weighted = pseudo_inverse;
+    weighted.template rightCols<3>() /= moment_arm;
+    return 2 * (weighted * weighted.transpose() + eps * null_projector);
+  }
   /// J^T F_c + N tau_0
   Vector unconstrained() const {
     return input.jacobian.transpose() * input.wrench.vector() + null_projector * input.null_torque;
