@@ -10,7 +10,8 @@ namespace oracle {
 /// m^2. The rows are those of joint limits (two-sided) and of random gradients, and a torque that keeps them exists.
 template <int Dofs, int MaxRows>
 struct RandomArm {
-  Matrix pseudo_inverse, null_projector;  // J^+, N
+  Eigen::Matrix<double, Dofs, 6> pseudo_inverse;     // J^+
+  Eigen::Matrix<double, Dofs, Dofs> null_projector;  // N
   rme::CpicInput<double, Dofs> input;
   rme::ConstraintRows<double, Dofs, MaxRows> rows;
   rme::JointVector<double, Dofs> torque_limit;
@@ -54,7 +55,7 @@ struct RandomArm {
   }
 
   /// Q = 2 (J^+ W^2 J^+T + eps N), where W weighs moments by 1 / l
-  Matrix hessian(double eps, double moment_arm = 1) const {
+  Eigen::Matrix<double, Dofs, Dofs> hessian(double eps, double moment_arm = 1) const {
     Eigen::Matrix<double, Dofs, 6> weighted = pseudo_inverse;
     weighted.template rightCols<3>() /= moment_arm;
     return 2 * (weighted * weighted.transpose() + eps * null_projector);
