@@ -42,7 +42,7 @@ class Arguments {
     const auto found = std::find(words_.begin(), words_.end(), option);
     if (found == words_.end()) return std::nullopt;
     if (found + 1 == words_.end() || is_option(found[1])) throw ArgumentError(option + ": needs a value");
-    const std::string value = found[1];
+    std::string value = found[1];
     words_.erase(found + 1);
     flag(option);  // takes the option itself, and refuses a second one
     return value;
@@ -75,7 +75,7 @@ class Arguments {
   std::string positional(const std::string& meaning) {
     if (words_.empty()) throw ArgumentError(meaning + ": missing");
     if (is_option(words_.front())) throw ArgumentError(words_.front() + ": unknown option");
-    const std::string word = words_.front();
+    std::string word = words_.front();
     words_.erase(words_.begin());
     return word;
   }

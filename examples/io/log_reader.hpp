@@ -32,8 +32,8 @@ namespace detail {
 /// The columns of these names, all of them needed.
 template <std::size_t Size>
 std::vector<std::size_t> columns(const CsvReader& csv, const std::array<std::string, Size>& names) {
-  std::vector<std::size_t> found;
-  for (const auto& name : names) found.push_back(csv.at(name));
+  std::vector<std::size_t> found(Size);
+  std::transform(names.begin(), names.end(), found.begin(), [&](const std::string& name) { return csv.at(name); });
   return found;
 }
 

@@ -24,15 +24,17 @@ inline ReplayOptions parse_replay_options(Arguments& arguments) {
   estimator.collection = arguments.number("--window").value_or(estimator.collection);
   const std::string preset = arguments.text("--preset").value_or("unknown");
   if (preset == "link_side")
-    estimator.sensor = SensorModel<double, 7>::link_side();
+    estimator.sensors = {SensorModel<double, 7>::link_side()};
   else if (preset == "joint_friction")
-    estimator.sensor = SensorModel<double, 7>::joint_friction();
+    estimator.sensors = {SensorModel<double, 7>::joint_friction()};
   else if (preset != "unknown")
     throw ArgumentError("--preset: \"" + preset + "\" is none of unknown, link_side, joint_friction");
   const std::string detector = arguments.text("--detector").value_or("robust");
-  if (detector == "published")
+  if (detector == "published") {
     estimator.detector = MismatchDetectorConfig::published();
-  else if (detector != "robust")
+    estimator.watch_norm = true;
+  }
+  if (detector != "published" && detector != "robust")
     throw ArgumentError("--detector: \"" + detector + "\" is none of robust, published");
   const std::string baseline = arguments.text("--baseline").value_or("auto");
   if (baseline == "none") {

@@ -27,8 +27,16 @@ struct ReplayedEstimate {
   std::optional<double> detected_at;
   double window_begin = 0, window_end = 0;
   PayloadGaussian<double> posterior;
+  Verdict<double> verdict;
   double elapsed_us = 0;                   ///< of the tick that made it
   const Vector4<double>* truth = nullptr;  ///< at t, in the log; null if it has none
+};
+
+/// A change that was found to be no payload.
+struct ReplayedRejection {
+  double t = 0;  ///< when a live host would have known [s]
+  double detected_at = 0;
+  Verdict<double> verdict;
 };
 
 struct ReplaySummary {
@@ -69,7 +77,7 @@ inline std::vector<JointVector<double, 7>> observed(const Log<7>& log, const std
   return tau_ext;
 }
 
-/// Plays the log; `report` is called with each ReplayedEstimate.
+/// Plays the log; `report` is called with each ReplayedEstimate and each ReplayedRejection.
 /// @param prior  where the estimator's priors come from
 template <typename PriorSource, typename Report>
 ReplaySummary replay(const Log<7>& log, const ReplayOptions& options, const PriorSource& prior, Report&& report) {
@@ -99,16 +107,22 @@ ReplaySummary replay(const Log<7>& log, const ReplayOptions& options, const Prio
     const std::chrono::duration<double, std::micro> elapsed = std::chrono::steady_clock::now() - start;
     if (status != Status::Ok) continue;
     rows.push_back(i);
-    if (!estimator.estimated() || (options.at && !triggered)) continue;
-    const auto& estimate = estimator.estimate();
+    if (options.at && !triggered) continue;
     const auto row = [&](double time) { return rows[static_cast<std::size_t>(std::lround(time / dt))]; };
+    if (estimator.rejected()) {
+      ++summary.rejected;
+      report(ReplayedRejection{log.t[i], log.t[row(estimator.detected_at() - dt)], estimator.verdict()});
+    }
+    if (!estimator.estimated()) continue;
+    const auto& estimate = estimator.estimate();
     ReplayedEstimate out;
     out.event = summary.estimates++;
     out.t = log.t[i];
-    if (!options.at) out.detected_at = log.t[row(estimate.detected_at - dt)];
+    if (!options.at) out.detected_at = log.t[row(estimator.detected_at() - dt)];
     out.window_begin = log.t[row(estimate.window_begin)];
     out.window_end = log.t[i];
     out.posterior = estimate.posterior;
+    out.verdict = estimator.verdict();
     out.elapsed_us = elapsed.count();
     if (!log.truth.empty()) out.truth = &log.truth[i];
     report(out);

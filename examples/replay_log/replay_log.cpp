@@ -49,9 +49,29 @@ ordered_json to_json(const ReplayedEstimate& e) {
   out["com"] = vector(p.payload().com);
   out["std"] = vector(p.standard_deviation());
   out["covariance"] = covariance;
+  out["log_odds"] = e.verdict.log_odds();
   out["elapsed_us"] = e.elapsed_us;
   out["truth"] = e.truth ? ordered_json(vector(*e.truth)) : ordered_json(nullptr);
   return out;
+}
+
+ordered_json to_json(const ReplayedRejection& r) {
+  ordered_json out;
+  out["type"] = "rejected";
+  out["t"] = r.t;
+  out["detected_at"] = r.detected_at;
+  out["log_odds"] = r.verdict.log_odds();
+  out["log_evidence"] = {{"payload", r.verdict.payload},
+                         {"empty", r.verdict.empty},
+                         {"unchanged", r.verdict.unchanged},
+                         {"push", r.verdict.push}};
+  return out;
+}
+
+void print_row(const ReplayedRejection& r) {
+  const bool push = r.verdict.push > r.verdict.unchanged;
+  std::printf("    - %8.3f %8.3f  no payload: %s (log odds %.1f)\n", r.detected_at, r.t,
+              push ? "something pushes" : "nothing has changed", r.verdict.log_odds());
 }
 
 void print_row(const ReplayedEstimate& e) {
@@ -60,7 +80,7 @@ void print_row(const ReplayedEstimate& e) {
   std::printf("%5d %8.3f %8.3f  %7.3f +- %5.3f", e.event, e.detected_at.value_or(e.window_begin), e.t, p.mean[0],
               sd[0]);
   for (int i = 1; i < 4; ++i) std::printf("  %7.1f +- %5.1f", 1e3 * p.mean[i], 1e3 * sd[i]);
-  std::printf("  %8.1f\n", e.elapsed_us);
+  std::printf("  %8.1f  (log odds %.1f)\n", e.elapsed_us, e.verdict.log_odds());
   if (!e.truth) return;
   std::printf("%5s %8s %8s  %7.3f %8s", "", "", "truth", (*e.truth)[0], "");
   for (int i = 1; i < 4; ++i) std::printf("  %7.1f %8s", 1e3 * (*e.truth)[i], "");
@@ -87,11 +107,11 @@ int main(int argc, char** argv) {
                   "y [mm]", "z [mm]", "took[us]");
     }
     const ReplaySummary summary =
-        replay(log, request.options, rme::FixedPrior<double>(), [&request](const ReplayedEstimate& estimate) {
+        replay(log, request.options, rme::FixedPrior<double>(), [&request](const auto& happened) {
           if (request.json)
-            std::cout << to_json(estimate).dump() << "\n";
+            std::cout << to_json(happened).dump() << "\n";
           else
-            print_row(estimate);
+            print_row(happened);
         });
     if (request.json) {
       ordered_json out;

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <type_traits>
 
 #include "replay_log/options.hpp"
 
@@ -30,6 +31,7 @@ struct Scores {
   std::vector<Scored> found;
   int missed = 0;
   int surplus = 0;
+  int rejected = 0;
 };
 
 void score(const Log<7>& log, const ReplayOptions& options, Scores& scores) {
@@ -37,7 +39,7 @@ void score(const Log<7>& log, const ReplayOptions& options, Scores& scores) {
   for (std::size_t i = 1; i < log.size(); ++i)
     if (log.truth[i] != log.truth[i - 1]) changes.push_back(i);
   std::vector<bool> answered(changes.size(), false);
-  replay(log, options, rme::FixedPrior<double>(), [&](const ReplayedEstimate& e) {
+  const auto on_estimate = [&](const ReplayedEstimate& e) {
     std::size_t event = changes.size();
     for (std::size_t k = 0; k < changes.size(); ++k)
       if (log.t[changes[k]] <= e.t) event = k;
@@ -56,6 +58,12 @@ void score(const Log<7>& log, const ReplayOptions& options, Scores& scores) {
         panda().kinematics(log.q[row]).rotation.transpose() * panda().gravity_vector.normalized();
     s.across = (s.error.tail<3>() - down * down.dot(s.error.tail<3>())).norm();
     scores.found.push_back(s);
+  };
+  replay(log, options, rme::FixedPrior<double>(), [&](const auto& happened) {
+    if constexpr (std::is_same_v<decltype(happened), const ReplayedEstimate&>)
+      on_estimate(happened);
+    else
+      ++scores.rejected;
   });
   scores.missed += static_cast<int>(std::count(answered.begin(), answered.end(), false));
 }
@@ -87,8 +95,10 @@ void print(const Scores& scores) {
   }
   std::printf("com across gravity, mean: %.2f mm\n", 1e3 * across / n);
   std::printf(
-      "%zu events answered (%d with a payload), %d missed, %d surplus estimates; %.0f ms after the change on average\n",
-      scores.found.size(), n, scores.missed, scores.surplus, 1e3 * delay / static_cast<double>(scores.found.size()));
+      "%zu events answered (%d with a payload), %d missed, %d surplus estimates, %d changes rejected; %.0f ms after "
+      "the change on average\n",
+      scores.found.size(), n, scores.missed, scores.surplus, scores.rejected,
+      1e3 * delay / static_cast<double>(scores.found.size()));
   if (n < static_cast<int>(scores.found.size()))
     std::printf("empty hand: at most %.1f g were still seen\n", 1e3 * left);
 }

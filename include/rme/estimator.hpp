@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <rme/control/compensation.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
+#include <rme/inference/event_inference.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_statistics.hpp>
 #include <rme/inference/sensor_model.hpp>
@@ -16,6 +18,7 @@
 #include <rme/sensing/onset.hpp>
 #include <rme/sensing/proprioception.hpp>
 #include <rme/sensing/sample_window.hpp>
+#include <vector>
 
 namespace rme {
 
@@ -53,15 +56,20 @@ struct EstimatorConfig {
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
   TorqueSign torque_sign = TorqueSign::External;
   MismatchDetectorConfig detector;
+  /// Watch the norm of tau_ext, as published, in place of every joint's torque less the known payload's.
+  bool watch_norm = false;
   SampleWindowConfig window;
-  SensorModel<Scalar, Dofs> sensor = SensorModel<Scalar, Dofs>::unknown();
+  /// What the arm's torque sensing is like; several are averaged by their evidence, event by event. At least one.
+  std::vector<SensorModel<Scalar, Dofs>> sensors = {SensorModel<Scalar, Dofs>::link_side(),
+                                                    SensorModel<Scalar, Dofs>::joint_friction()};
   double collection = 0.2;        ///< how long samples are gathered after the detection [s], > 0
   double baseline = 0.3;          ///< length of the quiet window before the change [s], >= 0; 0 uses none
   double baseline_guard = 0.02;   ///< between the quiet window and the change [s], >= 0
   double onset_span = 0.01;       ///< of the means whose difference finds the instant of the change [s], > 0
   double onset_jump = 0.4;        ///< a smaller step is no onset [N m], > 0
+  double unrest = 0.8;            ///< a collection in which the torque changes by more starts again [N m], > 0
   double gyration_radius = 0.03;  ///< of a payload about its own centre of mass, roughly [m], >= 0
-  double empty_mass = 0.05;       ///< an estimate below this is an empty hand [kg], > 0
+  PushPrior push;                 ///< what a change may be that is no payload
   VariationalInferenceConfig inference;
 
   /// @throws std::invalid_argument naming the field out of range
@@ -85,10 +93,9 @@ struct FixedPrior {
 template <typename Scalar>
 struct Estimate {
   PayloadGaussian<Scalar> posterior;  ///< of everything in the hand, not of what was added last
-  bool empty = true;                  ///< nothing in the hand, as far as the torque can tell
+  bool empty = true;                  ///< nothing in the hand, as far as the torque can tell: the mean is then zero
   double detected_at = 0;
   double window_begin = 0, window_end = 0;  ///< of the samples used
-  int iterations = 0;                       ///< of the inference
 
   /// What to compensate for: the posterior's mean, or nothing for an empty hand.
   Payload<Scalar> payload() const noexcept { return empty ? Payload<Scalar>() : posterior.payload(); }
@@ -134,13 +141,19 @@ class Estimator {
   const Estimate<Scalar>& estimate() const noexcept { return estimate_; }
   /// True on the tick that made an estimate.
   bool estimated() const noexcept { return phase_ == Phase::Estimating; }
+  /// True on the tick that found a change to be no payload: estimate() is still the one before.
+  bool rejected() const noexcept { return rejected_; }
+  /// When the last collection began [s].
+  double detected_at() const noexcept { return detected_at_; }
+  /// What the last collection was judged to be.
+  const Verdict<Scalar>& verdict() const noexcept { return verdict_; }
   /// tau_comp = -J^T w(payload) [N m]; zero for an empty hand. Pass it through a CompensationRamp.
   Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
     return compensation_torque<Scalar, Dofs>(estimate_.payload(), jacobian, rotation, config_.gravity);
   }
   /// Seconds since construction or reset.
   double time() const noexcept { return static_cast<double>(ticks_) * dt_; }
-  const MismatchDetector& detector() const noexcept { return detector_; }
+  const MismatchDetector<Dofs>& detector() const noexcept { return detector_; }
   const Config& config() const noexcept { return config_; }
   /// An empty hand and no past.
   void reset() noexcept;
@@ -153,6 +166,12 @@ class Estimator {
   bool is_onset(const Onset<Scalar>& onset) const noexcept {
     return onset.sharp() && onset.jump > static_cast<Scalar>(config_.onset_jump);
   }
+  Eigen::Matrix<double, Dofs, 1> watched() const noexcept;
+  PayloadRegressor<Scalar, Dofs> regressor(const Sample<Scalar, Dofs>& sample,
+                                           const Vector3<Scalar>& com) const noexcept {
+    return payload_regressor<Scalar, Dofs>(sample.raw.jacobian, sample.raw.rotation, config_.gravity, sample.motion,
+                                           com, static_cast<Scalar>(config_.gyration_radius));
+  }
   void begin_collection(bool triggered) noexcept;
   void learn_baseline(std::size_t newest, std::size_t count) noexcept;
   Statistics statistics(std::size_t oldest, std::size_t newest, const Vector3<Scalar>& com_guess) const noexcept;
@@ -161,16 +180,21 @@ class Estimator {
   Config config_;
   PriorSource prior_;
   double dt_;
-  MismatchDetector detector_;
+  MismatchDetector<Dofs> detector_;
   SampleWindow<Scalar, Dofs> window_;
-  NuisanceGaussian<Scalar, Dofs> nuisance_;  // of the current event
+  EventInference<Scalar, Dofs> inference_;
   Phase phase_ = Phase::Watching;
   Estimate<Scalar> estimate_;
+  Verdict<Scalar> verdict_;
   std::uint64_t ticks_ = 0;
   std::size_t collected_ = 0;  // samples since the collection began
   std::size_t onset_age_ = 0;  // at its beginning: samples before it that belong to the event
-  bool triggered_ = false;     // by the host, not by the detector
+  static constexpr int kMaxRestarts = 5;
+  int restarts_ = 0;        // of this collection
+  bool triggered_ = false;  // by the host, not by the detector
   bool tared_ = false;
+  bool rejected_ = false;
+  bool pushed_ = false;  // the last change was a push: what follows it is no baseline
   double detected_at_ = 0;
 };
 
@@ -179,16 +203,13 @@ void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
   detail::require(dt > 0 && std::isfinite(dt), "Estimator::dt", "> 0 s", dt);
   detail::require(gravity.allFinite() && gravity.norm() > 0, "EstimatorConfig::gravity", "finite and not zero",
                   gravity.norm());
-  sensor.validate();
   detail::require(collection >= 2 * dt, "EstimatorConfig::collection", ">= 2 samples [s]", collection);
   detail::require(baseline >= 0, "EstimatorConfig::baseline", ">= 0 s", baseline);
   detail::require(baseline_guard >= 0, "EstimatorConfig::baseline_guard", ">= 0 s", baseline_guard);
   detail::require(onset_span >= dt, "EstimatorConfig::onset_span", ">= 1 sample [s]", onset_span);
   detail::require(onset_jump > 0, "EstimatorConfig::onset_jump", "> 0 N m", onset_jump);
+  detail::require(unrest > 0, "EstimatorConfig::unrest", "> 0 N m", unrest);
   detail::require(gyration_radius >= 0, "EstimatorConfig::gyration_radius", ">= 0 m", gyration_radius);
-  detail::require(empty_mass > 0, "EstimatorConfig::empty_mass", "> 0 kg", empty_mass);
-  detail::require(inference.max_iterations > 0, "VariationalInferenceConfig::max_iterations", ">= 1",
-                  inference.max_iterations);
   const double needed = detector.window + std::max(collection, baseline + baseline_guard) + 2 * dt;
   detail::require(window.duration >= needed, "SampleWindowConfig::duration",
                   "at least the detector's window + the longer of collection and baseline", window.duration);
@@ -201,38 +222,47 @@ Estimator<Scalar, Dofs, PriorSource>::Estimator(double dt, const Config& config,
       dt_(dt),
       detector_(dt, config.detector),
       window_(dt, config.window),
-      nuisance_(config.sensor.prior()) {}
+      inference_(Scalar(dt), config.sensors, config.push, config.inference) {}
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::reset() noexcept {
   detector_.reset();
   window_.reset();
-  nuisance_ = config_.sensor.prior();
+  inference_.forget_baseline();
   phase_ = Phase::Watching;
   estimate_ = Estimate<Scalar>();
   ticks_ = 0;
-  tared_ = false;
+  tared_ = pushed_ = rejected_ = false;
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
 Status Estimator<Scalar, Dofs, PriorSource>::update(const Proprioception<Scalar, Dofs>& in) noexcept {
   Proprioception<Scalar, Dofs> sample = in;
   sample.tau_ext *= Scalar(static_cast<int>(config_.torque_sign));
-  // What the known payload does not explain: when a loaded arm moves, its torque changes without any event.
-  const Torque residual = sample.tau_ext + compensation(sample.jacobian, sample.rotation);
-  const double norm = static_cast<double>(residual.norm());
-  if (!std::isfinite(norm)) return Status::NonFiniteInput;
   const Status status = window_.push(sample);
   if (status != Status::Ok) return status;
   ++ticks_;
   if (phase_ == Phase::Estimating) phase_ = estimate_.empty ? Phase::Watching : Phase::Compensating;
+  rejected_ = false;
 
   if (phase_ == Phase::Collecting) {
     if (++collected_ >= ticks_of(config_.collection)) make_estimate();
     return Status::Ok;
   }
-  if (detector_.update(norm) == Status::Ok && detector_.detected()) begin_collection(false);
+  if (detector_.update(watched()) == Status::Ok && detector_.detected()) begin_collection(false);
   return Status::Ok;
+}
+
+/// The signal in which changes are looked for. When a loaded arm moves its torque changes without any event, and when
+/// compensation sets in it is the payload's inertia that shows, so the known payload's share is taken off.
+template <typename Scalar, int Dofs, typename PriorSource>
+Eigen::Matrix<double, Dofs, 1> Estimator<Scalar, Dofs, PriorSource>::watched() const noexcept {
+  const Sample<Scalar, Dofs>& newest = window_.newest();
+  if (config_.watch_norm)  // in one channel; the others stay zero
+    return Eigen::Matrix<double, Dofs, 1>::Unit(0) * static_cast<double>(newest.raw.tau_ext.norm());
+  if (estimate_.empty) return newest.tau.template cast<double>();
+  const Payload<Scalar> payload = estimate_.payload();
+  return (newest.tau - regressor(newest, payload.com).torque(payload)).template cast<double>();
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -253,6 +283,7 @@ void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noex
   phase_ = Phase::Collecting;
   collected_ = 0;
   onset_age_ = 0;
+  restarts_ = 0;
   triggered_ = triggered;
   detected_at_ = time();
   const std::size_t span = ticks_of(config_.onset_span);
@@ -264,20 +295,18 @@ void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noex
     quiet_age = onset.age + 1;
     if (!triggered) onset_age_ = quiet_age;
   }
-  if (estimate_.empty && !tared_ && !interrupted)
+  if (estimate_.empty && !tared_ && !interrupted && !pushed_)
     learn_baseline(quiet_age + ticks_of(config_.baseline_guard), ticks_of(config_.baseline));
 }
 
 /// The nuisances of the coming event, from `count` samples of an empty hand, the newest of them of age `newest`.
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::learn_baseline(std::size_t newest, std::size_t count) noexcept {
-  nuisance_ = config_.sensor.prior();
   const std::size_t oldest = std::min(window_.size(), newest + count);
-  if (oldest <= newest) return;
-  const Torque precision = config_.sensor.precision(static_cast<Scalar>(dt_));
-  NuisanceGaussian<Scalar, Dofs> quiet;
-  if (statistics(oldest, newest, Vector3<Scalar>::Zero()).nuisance_posterior(precision, nuisance_, quiet) == Status::Ok)
-    nuisance_ = config_.sensor.after_event(quiet);
+  if (oldest > newest)
+    inference_.learn_baseline(statistics(oldest, newest, Vector3<Scalar>::Zero()));
+  else
+    inference_.forget_baseline();
 }
 
 /// Sums over the samples of ages oldest - 1 down to newest.
@@ -289,8 +318,7 @@ PayloadStatistics<Scalar, Dofs> Estimator<Scalar, Dofs, PriorSource>::statistics
     const Sample<Scalar, Dofs>& s = window_.newest(age);
     PayloadObservation<Scalar, Dofs> o;
     o.tau = s.tau;
-    o.regressor = payload_regressor<Scalar, Dofs>(s.raw.jacobian, s.raw.rotation, config_.gravity, s.motion, com_guess,
-                                                  static_cast<Scalar>(config_.gyration_radius));
+    o.regressor = regressor(s, com_guess);
     o.direction = s.direction;
     o.velocity = s.raw.dq;
     sums.add(o);
@@ -300,35 +328,44 @@ PayloadStatistics<Scalar, Dofs> Estimator<Scalar, Dofs, PriorSource>::statistics
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
-  std::size_t count = std::min(window_.size(), collected_ + onset_age_);
+  std::size_t collected = std::min(window_.size(), collected_);
   if (triggered_) {  // the weight may have come after the trigger
-    const Onset<Scalar> onset = find_onset(window_, count, ticks_of(config_.onset_span));
-    if (is_onset(onset)) count = onset.age + 1;
-  }
-  const PayloadGaussian<Scalar> prior = prior_(window_, std::min(window_.size(), collected_));
-  const Torque precision = config_.sensor.precision(static_cast<Scalar>(dt_));
-  VariationalPosterior<Scalar> result;
-  Vector3<Scalar> com_guess = prior.mean.template tail<3>();
-  Status status = Status::NotReady;
-  // The inertia force is expanded about a centre of mass: first the prior's, then the one found.
-  for (int pass = 0; pass < 2; ++pass) {
-    PayloadLikelihood<Scalar> likelihood;
-    status = statistics(count, 0, com_guess).likelihood(precision, nuisance_, likelihood);
-    if (status == Status::Ok) status = infer(likelihood, prior, result, config_.inference);
-    if (status != Status::Ok && status != Status::NotConverged) break;
-    com_guess = result.posterior.mean.template tail<3>();
-  }
-  detector_.reset();
-  if (status != Status::Ok && status != Status::NotConverged) {  // keep what was known
-    phase_ = estimate_.empty ? Phase::Watching : Phase::Compensating;
+    const Onset<Scalar> onset = find_onset(window_, collected, ticks_of(config_.onset_span));
+    if (is_onset(onset)) collected = onset.age + 1;
+  } else if (restarts_ < kMaxRestarts && unrest(window_, collected) > Scalar(config_.unrest)) {
+    ++restarts_;  // something else happens meanwhile: wait until it is over
+    collected_ = onset_age_ = 0;
     return;
   }
-  estimate_.posterior = result.posterior;
-  estimate_.empty = result.posterior.mean[0] < static_cast<Scalar>(config_.empty_mass);
+  const std::size_t count = std::min(window_.size(), collected + onset_age_);
+  const PayloadGaussian<Scalar> prior = prior_(window_, collected);
+  detector_.reset();
+  phase_ = estimate_.empty ? Phase::Watching : Phase::Compensating;  // unless an estimate is made
+
+  // Payload or push is judged by the samples after the change has settled.
+  Vector3<Scalar> com_guess = prior.mean.template tail<3>();
+  Statistics sums = statistics(collected, 0, com_guess);
+  verdict_ = inference_.judge(sums, prior, estimate_.payload(), window_.newest().raw.jacobian);
+  if (!triggered_ && !verdict_.is_payload()) {
+    rejected_ = true;
+    pushed_ = verdict_.push > verdict_.unchanged;
+    return;
+  }
+  // The estimate is made from all of them. The inertia force is expanded about a centre of mass: first the prior's,
+  // then the one found.
+  sums += statistics(count, collected, com_guess);
+  ModelAverage<Scalar> average = inference_.posterior(sums, prior);
+  if (average.empty()) return;
+  com_guess = average.moments().mean.template tail<3>();
+  average = inference_.posterior(statistics(count, 0, com_guess), prior);
+  if (average.empty()) return;
+  pushed_ = false;
+  estimate_.posterior = average.moments();
+  estimate_.empty = verdict_.is_empty();
+  if (estimate_.empty) estimate_.posterior.mean.setZero();
   estimate_.detected_at = detected_at_;
   estimate_.window_begin = time_of(count);
   estimate_.window_end = time();
-  estimate_.iterations = result.iterations;
   phase_ = Phase::Estimating;
 }
 

@@ -224,15 +224,26 @@ TEST_CASE("SyntheticArm: sensor offsets show in tau_ext with the opposite sign, 
   CHECK((sum / samples).cwiseQuotient(config.torque_noise).cwiseAbs().maxCoeff() < 0.07);  // 4.4 standard errors
 }
 
-TEST_CASE("SyntheticArm: the same seed gives the same run, another seed another", "[synthetic_arm]") {
+TEST_CASE("SyntheticArm: the same seed gives the same noise and faults, another seed others", "[synthetic_arm]") {
   const auto run = [](std::uint64_t seed) {
-    SyntheticArm<7> arm(panda(), with_typical_faults(panda(), seed), panda().ready);
-    const PoseImpedance<7> law(panda(), panda().ready);
-    hold(arm, law, 0.1);
+    SyntheticArmConfig<7> config;
+    config.torque_noise = panda().typical_noise;
+    config.seed = seed;
+    SyntheticArm<7> arm(panda(), config, panda().ready);
+    hold(arm, PoseImpedance<7>(panda(), panda().ready), 0.1);
     return arm.tau_ext();
   };
   CHECK(run(1) == run(1));
   CHECK(run(1) != run(2));
+
+  const auto faults = [](std::uint64_t seed) { return with_typical_faults(panda(), seed); };
+  CHECK(faults(1).torque_offset == faults(1).torque_offset);
+  CHECK(faults(1).torque_offset != faults(2).torque_offset);
+  CHECK(faults(1).coulomb != faults(2).coulomb);
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const Vector<7> share = faults(seed).coulomb.cwiseQuotient(panda().typical_coulomb);
+    CHECK((share.minCoeff() >= 0.5 && share.maxCoeff() <= 1.5));
+  }
 }
 
 TEST_CASE("SyntheticArm: commands beyond the arm's torque limits are cut", "[synthetic_arm]") {

@@ -1,4 +1,5 @@
 #include <rme/inference/exact_posterior.hpp>
+#include <rme/inference/variational_inference.hpp>
 
 #include "support/catch.hpp"
 #include "support/random_events.hpp"
@@ -66,6 +67,25 @@ TEST_CASE("exact_posterior: with the mass known it is the linear-Gaussian poster
   CHECK((exact.moments.mean.tail<3>() - r).norm() < 1e-7);
   CHECK((exact.moments.covariance.block<3, 3>(1, 1) - C).norm() < 1e-6 * C.norm());
   CHECK(exact.moments.mean[0] == Approx(m).margin(1e-9));
+}
+
+TEST_CASE("infer: the ELBO bounds the exact log evidence from below, and closely", "[exact][vi]") {
+  const unsigned seed = 42;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  for (int k = 0; k < 200; ++k) {
+    CAPTURE(k);
+    const auto event = random_event(random, 20);
+    rme::PayloadLikelihood<double> l;
+    REQUIRE(event.statistics.likelihood(event.precision, event.nuisance, l) == Status::Ok);
+    rme::ExactPosterior<double> exact;
+    rme::VariationalPosterior<double> vi;
+    REQUIRE(rme::exact_posterior(l, wide_prior(), exact) == Status::Ok);
+    REQUIRE(rme::infer(l, wide_prior(), vi) == Status::Ok);
+    const double gap = exact.log_evidence - (vi.elbo - 0.5 * l.yy);
+    CHECK(gap > -1e-6);
+    CHECK(gap < 0.3);
+  }
 }
 
 TEST_CASE("exact_posterior: bad input is named and leaves the result as it was", "[exact]") {

@@ -1,6 +1,7 @@
 #pragma once
 /// Fixed-size Eigen aliases by scalar and joint count. Everything in rme is built from these.
 #include <Eigen/Core>
+#include <Eigen/Geometry>  // cross(): without it, code that uses it compiles and does not link
 
 namespace rme {
 

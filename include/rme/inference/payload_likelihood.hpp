@@ -19,6 +19,8 @@ struct PayloadLikelihood {
   Vector3<Scalar> yB = Vector3<Scalar>::Zero();
   Vector3<Scalar> aB = Vector3<Scalar>::Zero();
   Matrix3<Scalar> BB = Matrix3<Scalar>::Zero();
+  /// Log of the factor in front, up to one that every sensor model of the same window shares: only to compare those.
+  Scalar log_factor = Scalar(0);
 
   Scalar log_likelihood(const Vector4<Scalar>& theta) const noexcept {
     const Scalar m = theta[0];

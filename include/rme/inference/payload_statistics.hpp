@@ -52,39 +52,72 @@ class PayloadStatistics {
     ++count_;
   }
 
+  /// Adds another window's sums.
+  PayloadStatistics& operator+=(const PayloadStatistics& other) noexcept {
+    for (std::size_t j = 0; j < gram_.size(); ++j) gram_[j] += other.gram_[j];
+    count_ += other.count_;
+    return *this;
+  }
+
   int count() const noexcept { return count_; }
 
-  /// The likelihood of a payload with every joint's nuisances integrated out. With precision w per sample and
-  /// beta ~ N(mu, Lambda), a joint contributes (Woodbury; docs/theory.md, "Faults that do not average out")
+  /// What one joint says once its nuisances are integrated out: precision-weighted products of u = (y, a, B_x, B_y,
+  /// B_z, 1) with y taken as y - N mu. Entry (i, j) is sum_t u_i u_j with the marginal precision in between; the last
+  /// column is that of a constant torque in this joint.
+  static constexpr int kSignals = 6;
+  struct Marginal {
+    Eigen::Matrix<Scalar, kSignals, kSignals> products;
+    Scalar log_factor;  ///< -1/2 log det of the nuisances' posterior over prior precision
+  };
+
+  /// With precision w per sample and beta ~ N(mu, Lambda), by Woodbury (docs/theory.md, "Faults that do not average
+  /// out")
   ///
-  ///     w G_zz - w^2 G_zn (Lambda^-1 + w G_nn)^-1 G_nz,   y taken as y - N mu.
+  ///     w G_uu - w^2 G_un (Lambda^-1 + w G_nn)^-1 G_nu
   ///
-  /// @param precision  w per joint and sample [1/(N m)^2], > 0
+  /// @param joint      0 .. Dofs - 1
+  /// @param precision  w [1/(N m)^2], > 0
+  /// @return Ok, or NotPositiveDefinite for a nuisance covariance that is not; then `out` is as it was
+  Status marginal(int joint, Scalar precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
+                  Marginal& out) const noexcept {
+    const auto j = static_cast<std::size_t>(joint);
+    const Scalar w = precision;
+    // With Lambda = L L^T: (Lambda^-1 + w G)^-1 = L (1 + w L^T G L)^-1 L^T, which needs no inverse of Lambda.
+    const Eigen::LLT<NuisanceMatrix<Scalar>> prior(nuisance.covariance[j]);
+    if (prior.info() != Eigen::Success) return Status::NotPositiveDefinite;
+    const NuisanceMatrix<Scalar> L = prior.matrixL();
+    const NuisanceMatrix<Scalar> nn = gram_[j].template bottomRightCorner<kNuisances, kNuisances>();
+    const Eigen::LLT<NuisanceMatrix<Scalar>> inner(NuisanceMatrix<Scalar>::Identity() + w * L.transpose() * nn * L);
+    if (inner.info() != Eigen::Success) return Status::NotPositiveDefinite;
+    // The constant is the first nuisance's regressor as well, so that it stands once in the Gram matrix.
+    Signals uu = gram_[j].template topLeftCorner<kSignals, kSignals>();
+    Cross un = gram_[j].template topRightCorner<kSignals, kNuisances>();
+    const NuisanceVector<Scalar>& mu = nuisance.mean[j];
+    const Eigen::Matrix<Scalar, kSignals, 1> shift = un * mu;
+    uu.row(0) -= shift.transpose();
+    uu.col(0) -= shift;
+    uu(0, 0) += mu.dot(nn * mu);
+    un.row(0) -= (nn * mu).transpose();
+    const Eigen::Matrix<Scalar, kNuisances, kSignals> half = inner.matrixL().solve((un * L).transpose());
+    out.products.noalias() = w * uu;
+    out.products.noalias() -= (w * w) * half.transpose() * half;
+    out.log_factor = -inner.matrixLLT().diagonal().array().log().sum();
+    return Status::Ok;
+  }
+
+  /// The likelihood of a payload with every joint's nuisances integrated out: the sum of marginal() over the joints.
+  /// @param precision  per joint and sample [1/(N m)^2], > 0
   /// @return Ok, or NotPositiveDefinite for a nuisance covariance that is not; then the likelihood is as it was
   Status likelihood(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
                     PayloadLikelihood<Scalar>& out) const noexcept {
-    Signal total = Signal::Zero();
-    for (std::size_t j = 0; j < std::size_t(Dofs); ++j) {
-      const Scalar w = precision[static_cast<int>(j)];
-      Signal zz = gram_[j].template topLeftCorner<kSignals, kSignals>();
-      Cross zn = gram_[j].template topRightCorner<kSignals, kNuisances>();
-      const NuisanceMatrix<Scalar> nn = gram_[j].template bottomRightCorner<kNuisances, kNuisances>();
-      const NuisanceVector<Scalar>& mu = nuisance.mean[j];
-      // y - N mu in place of y.
-      const Eigen::Matrix<Scalar, kSignals, 1> shift = zn * mu;
-      zz.row(0) -= shift.transpose();
-      zz.col(0) -= shift;
-      zz(0, 0) += mu.dot(nn * mu);
-      zn.row(0) -= (nn * mu).transpose();
-      // With Lambda = L L^T: (Lambda^-1 + w G)^-1 = L (1 + w L^T G L)^-1 L^T, which needs no inverse of Lambda.
-      const Eigen::LLT<NuisanceMatrix<Scalar>> prior(nuisance.covariance[j]);
-      if (prior.info() != Eigen::Success) return Status::NotPositiveDefinite;
-      const NuisanceMatrix<Scalar> L = prior.matrixL();
-      const Eigen::LLT<NuisanceMatrix<Scalar>> inner(NuisanceMatrix<Scalar>::Identity() + w * L.transpose() * nn * L);
-      if (inner.info() != Eigen::Success) return Status::NotPositiveDefinite;
-      const Eigen::Matrix<Scalar, kNuisances, kSignals> half = inner.matrixL().solve((zn * L).transpose());
-      total.noalias() += w * zz;
-      total.noalias() -= (w * w) * half.transpose() * half;
+    Signals total = Signals::Zero();
+    Scalar log_factor = Scalar(0);
+    for (int j = 0; j < Dofs; ++j) {
+      Marginal joint;
+      const Status status = marginal(j, precision[j], nuisance, joint);
+      if (status != Status::Ok) return status;
+      total += joint.products;
+      log_factor += joint.log_factor;
     }
     out.yy = total(0, 0);
     out.ya = total(0, 1);
@@ -92,6 +125,7 @@ class PayloadStatistics {
     out.yB = total.template block<3, 1>(2, 0);
     out.aB = total.template block<3, 1>(2, 1);
     out.BB = total.template block<3, 3>(2, 2);
+    out.log_factor = log_factor;
     return Status::Ok;
   }
 
@@ -118,11 +152,10 @@ class PayloadStatistics {
   }
 
  private:
-  static constexpr int kSignals = 5;                      // y, a, B
-  static constexpr int kColumns = kSignals + kNuisances;  // and the nuisances' regressors
+  static constexpr int kColumns = kSignals + kNuisances - 1;  // y, a, B, 1, -direction, -velocity
   using Row = Eigen::Matrix<Scalar, kColumns, 1>;
   using Gram = Eigen::Matrix<Scalar, kColumns, kColumns>;
-  using Signal = Eigen::Matrix<Scalar, kSignals, kSignals>;
+  using Signals = Eigen::Matrix<Scalar, kSignals, kSignals>;
   using Cross = Eigen::Matrix<Scalar, kSignals, kNuisances>;
 
   std::array<Gram, Dofs> gram_ = zero();

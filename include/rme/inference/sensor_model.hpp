@@ -1,5 +1,6 @@
 #pragma once
 /// The faults of an arm's torque sensing, as numbers: what a window of tau_ext holds beside the payload.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <rme/core/require.hpp>
@@ -28,18 +29,16 @@ struct SensorModel {
   static SensorModel link_side();
   /// Torque from motor currents, or sensed before the gears: the friction of the joints shows.
   static SensorModel joint_friction();
-  /// Safe on either, and less sharp on both: the default.
-  static SensorModel unknown();
 
   /// @throws std::invalid_argument naming the field out of range
   void validate() const;
 
   /// Precision of one sample, per joint [1/(N m)^2]. Samples dt apart under an error of correlation time T are worth
-  /// dt / (2 T) independent ones.
-  Vector precision(Scalar dt) const noexcept {
-    using std::min;
-    const Scalar independent = min(Scalar(1), dt / (2 * noise_correlation_time));
-    return independent * noise.cwiseAbs2().cwiseInverse();
+  /// dt / (2 T) independent ones each.
+  Vector precision(Scalar dt) const noexcept { return independence(dt) * noise.cwiseAbs2().cwiseInverse(); }
+  /// Log of the noise's normaliser over `count` samples, up to what all sensor models share: to compare their evidence.
+  Scalar log_factor(Scalar dt, int count) const noexcept {
+    return -independence(dt) * static_cast<Scalar>(count) * noise.array().log().sum();
   }
 
   /// Nuisances of a window of which nothing else is known.
@@ -52,6 +51,7 @@ struct SensorModel {
   NuisanceGaussian<Scalar, Dofs> after_event(const NuisanceGaussian<Scalar, Dofs>& baseline) const noexcept;
 
  private:
+  Scalar independence(Scalar dt) const noexcept { return std::min(Scalar(1), dt / (2 * noise_correlation_time)); }
   /// The arm's joints from the base to the elbow carry more torque, and err more, than those of the wrist.
   static Vector graded(double proximal, double distal) noexcept {
     Vector v = Vector::Constant(static_cast<Scalar>(distal));
@@ -81,15 +81,6 @@ SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::joint_friction() {
   model.coulomb_std = graded(0.06, 0.03);
   model.viscous_mean = graded(0.08, 0.03);
   model.viscous_std = graded(0.05, 0.02);
-  return model;
-}
-
-template <typename Scalar, int Dofs>
-SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::unknown() {
-  SensorModel model = joint_friction();
-  model.coulomb_mean = graded(0.1, 0.04);
-  model.coulomb_std = graded(0.1, 0.04);
-  model.viscous_mean = graded(0.04, 0.015);
   return model;
 }
 

@@ -83,7 +83,7 @@ class ExpectedLogJoint {
 template <typename Scalar>
 struct VariationalPosterior {
   PayloadGaussian<Scalar> posterior;
-  Scalar elbo = Scalar(0);  ///< E_q[log p(y, theta)] + 1/2 log det Sigma, up to a constant of the data and the prior
+  Scalar elbo = Scalar(0);  ///< lower bound of log p(y) + 1/2 yy
   int iterations = 0;
 };
 
@@ -136,6 +136,9 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
   // In float a gradient is not known better than this.
   const Scalar tolerance = std::max(Scalar(config.tolerance), 32 * sqrt(Eigen::NumTraits<Scalar>::epsilon()));
 
+  // Entropy of q and normaliser of the prior; their powers of 2 pi cancel.
+  const Scalar constant = Scalar(2) - prior_llt.matrixLLT().diagonal().array().log().sum();
+
   // One point of the iteration; log det Sigma comes from the factor of the precision P = Sigma^-1.
   struct Iterate {
     Vector4<Scalar> mu;
@@ -150,8 +153,8 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
     q.log_det_P = 2 * llt.matrixLLT().diagonal().array().log().sum();
     return true;
   };
-  const auto evaluate = [&joint](Iterate& q) noexcept {
-    q.elbo = joint.value(q.mu, q.Sigma) - Scalar(0.5) * q.log_det_P;
+  const auto evaluate = [&joint, constant](Iterate& q) noexcept {
+    q.elbo = joint.value(q.mu, q.Sigma) - Scalar(0.5) * q.log_det_P + constant;
     return std::isfinite(q.elbo);
   };
 

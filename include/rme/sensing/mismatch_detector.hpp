@@ -8,14 +8,16 @@
 #include <rme/core/require.hpp>
 #include <rme/core/ring_buffer.hpp>
 #include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
 
 namespace rme {
 
 /// Settings of MismatchDetector. Times are ages: seconds before the newest sample.
 struct MismatchDetectorConfig {
   double window = 0.5;                   ///< how far back the change is looked for [s]
-  double activation_threshold = 0.9;     ///< change of ||tau_ext|| that counts as rapid [N m], > 0
+  double activation_threshold = 0.7;     ///< change that counts as rapid [N m], > 0
   double stabilisation_threshold = 0.2;  ///< how far the means below may lie from the newest one [N m], > 0
+  double stabilisation_ratio = 0.05;     ///< the same as a fraction of the change; the larger counts, >= 0
   double newest_average = 0.01;          ///< span of the newest mean [s]
   double check_average = 0.02;           ///< span of each of the means compared with it [s]
   std::array<double, 3> check_age = {0.05, 0.13, 0.21};  ///< age at which each of those spans ends [s]
@@ -24,30 +26,36 @@ struct MismatchDetectorConfig {
   /// milliseconds after a sharp step, and its collection window holds the transient. Means move together.
   double edge_average = 0.02;
 
-  /// Algorithm 1 to the letter.
+  /// Algorithm 1 to the letter, for the norm of tau_ext.
   static MismatchDetectorConfig published() {
     MismatchDetectorConfig config;
+    config.activation_threshold = 0.9;
+    config.stabilisation_ratio = 0;
     config.edge_average = 0;
     return config;
   }
 };
 
-/// Watches the norm of the external torque: a mismatch is a rapid change over the window that has since settled,
+/// Watches a signal s of `Channels` numbers: a mismatch is a rapid change over the window that has since settled,
 ///
-///     |s(newest) - s(oldest)| > activation    and    |mean_i - mean(newest)| <= stabilisation,  i = 1, 2, 3
+///     ||s(newest) - s(oldest)|| > activation    and    ||mean_i - mean(newest)|| <= stabilisation,  i = 1, 2, 3
 ///
-/// with s = ||tau_ext||_2. Each mean is a difference of two running sums kept as 64-bit integers in steps of 2^-32 N m,
-/// so update() is O(1) whatever the spans, and no amount of running leaves a trace in the sums.
+/// With one channel, s = ||tau_ext||_2, this is Algorithm 1. With the torque of every joint it also sees changes that
+/// leave the norm alone. Each mean is a difference of two running sums kept as 64-bit integers in steps of 2^-32 N m,
+/// so update() is O(Channels) whatever the spans, and no amount of running leaves a trace in the sums.
+template <int Channels>
 class MismatchDetector {
  public:
+  using Signal = Eigen::Matrix<double, Channels, 1>;  ///< [N m]
+
   /// @param dt  control period [s], > 0
   /// @throws std::invalid_argument naming the field out of range
   explicit MismatchDetector(double dt, const MismatchDetectorConfig& config = MismatchDetectorConfig());
 
   /// Advances by one period.
-  /// @param norm  ||tau_ext||_2 [N m], 0 to 2^20
-  /// @return Ok; NonFiniteInput for a NaN, an infinity, or a norm out of range: the detector is then as it was
-  Status update(double norm) noexcept;
+  /// @param signal  each entry within +-2^20 N m
+  /// @return Ok; NonFiniteInput for a NaN, an infinity, or an entry out of range: the detector is then as it was
+  Status update(const Signal& signal) noexcept;
 
   bool rapid_change() const noexcept { return rapid_change_; }  ///< false until the window is full
   bool stabilised() const noexcept { return stabilised_; }      ///< false until the window is full
@@ -58,22 +66,26 @@ class MismatchDetector {
  private:
   static constexpr double kResolution = 1.0 / 4294967296.0;  // 2^-32 N m
   static constexpr double kLargest = 1048576.0;              // 2^20 N m
-  struct Span {                                              // samples of age begin .. begin + count - 1
+  // Unsigned, because a running sum may wrap: differences stay right.
+  using Sums = std::array<std::uint64_t, static_cast<std::size_t>(Channels)>;
+  struct Span {  // samples of age begin .. begin + count - 1
     std::size_t begin = 0, count = 1;
   };
 
-  // Unsigned, because a running sum may wrap: differences stay right.
-  std::int64_t sum(const Span& span) const noexcept {
-    return static_cast<std::int64_t>(sums_.newest(span.begin) - sums_.newest(span.begin + span.count));
-  }
-  double mean(const Span& span) const noexcept {
-    return static_cast<double>(sum(span)) * (kResolution / static_cast<double>(span.count));
+  Signal mean(const Span& span) const noexcept {
+    const Sums& newer = sums_.newest(span.begin);
+    const Sums& older = sums_.newest(span.begin + span.count);
+    Signal out;
+    for (std::size_t i = 0; i < newer.size(); ++i)
+      out[static_cast<int>(i)] =
+          static_cast<double>(static_cast<std::int64_t>(newer[i] - older[i])) * (kResolution / double(span.count));
+    return out;
   }
 
-  double activation_, stabilisation_;
+  double activation_, stabilisation_, ratio_;
   Span oldest_edge_, newest_edge_, newest_;
   std::array<Span, 3> checks_;
-  RingBuffer<std::uint64_t> sums_;  // running sums, newest included
+  RingBuffer<Sums> sums_;  // running sums, newest included
   bool rapid_change_ = false, stabilised_ = false;
 };
 
@@ -84,8 +96,12 @@ inline std::size_t samples(double seconds, double dt) noexcept {
 }
 }  // namespace detail
 
-inline MismatchDetector::MismatchDetector(double dt, const MismatchDetectorConfig& config)
-    : activation_(config.activation_threshold), stabilisation_(config.stabilisation_threshold), sums_(1) {
+template <int Channels>
+MismatchDetector<Channels>::MismatchDetector(double dt, const MismatchDetectorConfig& config)
+    : activation_(config.activation_threshold),
+      stabilisation_(config.stabilisation_threshold),
+      ratio_(config.stabilisation_ratio),
+      sums_(1) {
   const auto positive = [](double value, const char* field, const char* unit) {
     detail::require(value > 0 && std::isfinite(value), field, unit, value);
   };
@@ -93,6 +109,7 @@ inline MismatchDetector::MismatchDetector(double dt, const MismatchDetectorConfi
   positive(config.activation_threshold, "MismatchDetectorConfig::activation_threshold", "> 0 N m");
   positive(config.stabilisation_threshold, "MismatchDetectorConfig::stabilisation_threshold", "> 0 N m");
   positive(config.window, "MismatchDetectorConfig::window", "> 0 s");
+  detail::require(ratio_ >= 0 && ratio_ < 1, "MismatchDetectorConfig::stabilisation_ratio", "0 to 1", ratio_);
   detail::require(config.window / dt >= 2 && config.window / dt < 1e7, "MismatchDetectorConfig::window",
                   "2 to 1e7 samples", config.window / dt);
   const std::size_t window = detail::samples(config.window, dt);
@@ -109,24 +126,32 @@ inline MismatchDetector::MismatchDetector(double dt, const MismatchDetectorConfi
   newest_ = span(0, config.newest_average, "MismatchDetectorConfig::newest_average");
   for (std::size_t i = 0; i < checks_.size(); ++i)
     checks_[i] = span(config.check_age[i], config.check_average, "MismatchDetectorConfig::check_age");
-  sums_ = RingBuffer<std::uint64_t>(window + 1);
+  sums_ = RingBuffer<Sums>(window + 1);
   reset();
 }
 
-inline void MismatchDetector::reset() noexcept {
+template <int Channels>
+void MismatchDetector<Channels>::reset() noexcept {
   sums_.clear();
-  sums_.push(0);
+  sums_.push(Sums{});
   rapid_change_ = stabilised_ = false;
 }
 
-inline Status MismatchDetector::update(double norm) noexcept {
-  if (!(norm >= 0 && norm <= kLargest)) return Status::NonFiniteInput;
-  sums_.push(sums_.newest() + static_cast<std::uint64_t>(std::llround(norm / kResolution)));
+template <int Channels>
+Status MismatchDetector<Channels>::update(const Signal& signal) noexcept {
+  if (!(signal.cwiseAbs().maxCoeff() <= kLargest) || !signal.allFinite()) return Status::NonFiniteInput;
+  Sums sums = sums_.newest();
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    sums[i] += static_cast<std::uint64_t>(std::llround(signal[static_cast<int>(i)] / kResolution));
+  sums_.push(sums);
   if (!sums_.full()) return Status::Ok;
-  rapid_change_ = std::abs(mean(newest_edge_) - mean(oldest_edge_)) > activation_;
+  const double change = (mean(newest_edge_) - mean(oldest_edge_)).norm();
+  const double allowed = std::max(stabilisation_, ratio_ * change);
+  const Signal end = mean(newest_);
+  rapid_change_ = change > activation_;
   stabilised_ = true;
   for (const Span& check : checks_)
-    if (std::abs(mean(check) - mean(newest_)) > stabilisation_) stabilised_ = false;
+    if ((mean(check) - end).norm() > allowed) stabilised_ = false;
   return Status::Ok;
 }
 

@@ -67,7 +67,7 @@ class MomentumObserver {
 template <typename Scalar, int Dofs>
 MomentumObserver<Scalar, Dofs>::MomentumObserver(Scalar dt, const MomentumObserverConfig<Scalar, Dofs>& config)
     : dt_(dt) {
-  detail::require(dt > 0 && dt * 0 == 0, "MomentumObserver::dt", "> 0 s", dt);
+  detail::require(dt > 0 && std::isfinite(dt), "MomentumObserver::dt", "> 0 s", dt);
   for (int i = 0; i < Dofs; ++i)
     detail::require(config.gain[i] > 0, "MomentumObserverConfig::gain", "> 0 rad/s", config.gain[i]);
   blend_ = config.gain.unaryExpr([dt](Scalar gain) { return -std::expm1(-gain * dt); });

@@ -47,4 +47,19 @@ Onset<Scalar> find_onset(const SampleWindow<Scalar, Dofs>& window, std::size_t r
   return onset;
 }
 
+/// Largest distance between the mean torques of the four quarters of the newest `count` samples, ||.||_2 [N m]: small
+/// when nothing happened within them. 0 for fewer than four samples. Real time: O(count Dofs).
+template <typename Scalar, int Dofs>
+Scalar unrest(const SampleWindow<Scalar, Dofs>& window, std::size_t count) noexcept {
+  const std::size_t quarter = std::min(count, window.size()) / 4;
+  if (quarter == 0) return Scalar(0);
+  Eigen::Matrix<Scalar, Dofs, 4> mean = Eigen::Matrix<Scalar, Dofs, 4>::Zero();
+  for (std::size_t age = 0; age < 4 * quarter; ++age)
+    mean.col(static_cast<int>(age / quarter)) += window.newest(age).tau / Scalar(quarter);
+  Scalar largest = Scalar(0);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < i; ++j) largest = std::max(largest, (mean.col(i) - mean.col(j)).norm());
+  return largest;
+}
+
 }  // namespace rme

@@ -1,0 +1,235 @@
+// generate_dataset FILE: what a Panda feels in the 200 ms windows after somebody hands it an unknown object.
+//
+// Each event is a simulated arm holding a random pose; a random box is attached, at once or within 150 ms; the sensors
+// have noise, offsets and friction (examples/synthetic_arm). Each event is cut into several windows that start up to
+// 0.6 s after the attach. Every event has its own seed, so that the file does not depend on the number of threads.
+//
+//     --events N         simulated payloads (default 1000)
+//     --windows N        windows of each (default 4)
+//     --seed N           (default 1)
+//     --pose ready|any   N(0, 0.1 rad) around the ready pose, or anywhere (default any)
+//     --threads N        (default: all cores)
+//
+// FILE: one line of JSON that names the columns, then 32-bit floats, row after row, little-endian; train.py reads it.
+// Exit code: 0, or 2 for arguments it cannot use, or 3 if the file cannot be written.
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <io/arguments.hpp>
+#include <random>
+#include <rme/sensing/pseudo_wrench.hpp>
+#include <string>
+#include <synthetic_arm/panda.hpp>
+#include <synthetic_arm/pose_impedance.hpp>
+#include <synthetic_arm/synthetic_arm.hpp>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace rme::examples;
+using Vector7 = rme::JointVector<double, 7>;
+using Vector6 = rme::Vector6<double>;
+
+constexpr int kSamples = 20, kStride = 10;    // the newest of each 10 ms
+constexpr int kQuiet = 500, kBaseline = 100;  // before the attach, the last of it is the baseline [ms]
+constexpr int kLatestStart = 600;             // of a window, after the attach [ms]
+constexpr int kAfter = kLatestStart + kSamples * kStride;
+constexpr double kDamping = 1e-2;
+
+constexpr const char* kColumns =
+    R"({"columns": [["world", [20, 6]], ["end_effector", [20, 6]], ["baseline_world", [6]], )"
+    R"(["baseline_end_effector", [6]], ["gravity_direction", [3]], ["theta", [4]], ["start", [1]], ["event", [1]]], )";
+
+struct Settings {
+  int events = 1000, windows = 4;
+  std::uint64_t seed = 1;
+  bool any_pose = true;
+};
+
+/// Pseudo-wrench at one instant, in both frames.
+struct Wrenches {
+  Vector6 world, end_effector;
+};
+
+Wrenches wrenches(const SyntheticArm<7>& arm) {
+  rme::Wrench<double> world;
+  if (rme::pseudo_wrench<double, 7>(arm.kinematics().jacobian, arm.tau_ext(), kDamping, world) != rme::Status::Ok)
+    throw std::runtime_error("the simulated arm reports nonsense");
+  return {world.vector(), rme::in_end_effector_axes<double>(world, arm.kinematics().rotation).vector()};
+}
+
+class Event {
+ public:
+  explicit Event(std::uint64_t seed) : random_(seed) {}
+
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  double normal(double deviation) { return deviation * normal_(random_); }
+
+  Vector7 pose(bool any) {
+    const ArmModel<7>& arm = panda();
+    Vector7 q;
+    if (!any) return arm.ready + Vector7::NullaryExpr([&] { return normal(0.1); });
+    // Away from the joint limits and from singular poses, which no controller would hold.
+    do {
+      const Vector7 reach = (Vector7() << 1.6, 1.05, 1.7, 1.0, 1.3, 0.9, 1.9).finished();
+      const Vector7 middle = (Vector7() << 0, 0.05, 0, -1.65, 0, 1.8, 0).finished();
+      for (int i = 0; i < 7; ++i) q[i] = middle[i] + uniform(-reach[i], reach[i]);
+    } while (std::sqrt(smallest_eigenvalue(arm.kinematics(q).jacobian)) < 0.1);
+    return q;
+  }
+
+  /// 0.2 to 2 kg, centre of mass within 8 cm across the flange's axis and up to 20 cm along it.
+  RigidBody payload() {
+    const double mass = uniform(0.2, 2.0);
+    const double angle = uniform(0, 2 * 3.141592653589793), radius = 0.08 * std::sqrt(uniform(0, 1));
+    const Eigen::Vector3d com(radius * std::cos(angle), radius * std::sin(angle), uniform(0, 0.2));
+    return box(mass, com, Eigen::Vector3d(uniform(0.03, 0.1), uniform(0.03, 0.1), uniform(0.03, 0.15)));
+  }
+
+  PoseImpedanceConfig gains() {
+    PoseImpedanceConfig config;
+    config.rate = uniform(2, 5);
+    config.lambda1 = uniform(40, 100);
+    config.lambda2 = uniform(60, 120);
+    config.rotation_stiffness = uniform(10, 40);
+    config.rotation_damping = uniform(1, 4);
+    return config;
+  }
+
+  /// A row for each window, or nothing if the arm went where no arm would go.
+  std::vector<float> rows(const Settings& settings, int index);
+
+ private:
+  static double smallest_eigenvalue(const rme::Jacobian<double, 7>& jacobian) {
+    return Eigen::SelfAdjointEigenSolver<rme::Matrix6<double>>(jacobian * jacobian.transpose(), Eigen::EigenvaluesOnly)
+        .eigenvalues()[0];
+  }
+
+  std::mt19937_64 random_;
+  std::normal_distribution<double> normal_;
+};
+
+std::vector<float> Event::rows(const Settings& settings, int index) {
+  const ArmModel<7>& model = panda();
+  SyntheticArmConfig<7> config = with_typical_faults(model, random_());
+  // Some arms sense behind the gears and see no friction; the network has to serve both.
+  if (uniform(0, 1) < 0.25) config.sensing = TorqueSensing::LinkSide;
+  const Vector7 target = pose(settings.any_pose);
+  const PoseImpedance<7> controller(model, target, gains());
+  const RigidBody body = payload();
+  const double ramp = uniform(0, 1) < 0.5 ? 0 : uniform(0, 0.15);
+  // Not quite at the target: coming to rest leaves some friction in each joint, as a real arm's last motion does.
+  SyntheticArm<7> arm(model, config, target + Vector7::NullaryExpr([&] { return normal(0.02); }));
+  const auto tick = [&] { arm.step(controller.torque(arm.q(), arm.dq(), arm.kinematics(), arm.dynamics())); };
+
+  Wrenches baseline{Vector6::Zero(), Vector6::Zero()};
+  for (int k = 0; k < kQuiet; ++k) {
+    tick();
+    if (k < kQuiet - kBaseline) continue;
+    const Wrenches w = wrenches(arm);
+    baseline.world += w.world / kBaseline;
+    baseline.end_effector += w.end_effector / kBaseline;
+  }
+  arm.attach(body, ramp);
+  std::vector<Wrenches> felt;
+  for (int k = 0; k < kAfter; ++k) {
+    tick();
+    felt.push_back(wrenches(arm));
+    if (controller.position_error(arm.kinematics()).norm() > 0.3 ||
+        (arm.dq().array().abs() > model.dq_max.array()).any())
+      return {};
+  }
+
+  std::vector<float> out;
+  const auto put = [&](const auto& values) {
+    for (const double value : values) out.push_back(static_cast<float>(value));
+  };
+  const Eigen::Vector3d down = arm.kinematics().rotation.transpose() * Eigen::Vector3d(0, 0, -1);
+  for (int w = 0; w < settings.windows; ++w) {
+    const int start = static_cast<int>(uniform(0, kLatestStart));
+    const auto sample = [&](int i) { return felt[static_cast<std::size_t>(start + kStride * (i + 1) - 1)]; };
+    for (int i = 0; i < kSamples; ++i) put(sample(i).world);
+    for (int i = 0; i < kSamples; ++i) put(sample(i).end_effector);
+    put(baseline.world);
+    put(baseline.end_effector);
+    put(down);
+    put(Eigen::Vector4d(body.mass, body.com[0], body.com[1], body.com[2]));
+    put(Eigen::Vector2d(1e-3 * start, index));
+  }
+  return out;
+}
+
+/// Event `index`, drawn again until the arm holds it.
+std::vector<float> make_rows(const Settings& settings, int index) {
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    std::seed_seq sequence{settings.seed, static_cast<std::uint64_t>(index), attempt};
+    std::mt19937_64 random(sequence);
+    std::vector<float> rows = Event(random()).rows(settings, index);
+    if (!rows.empty()) return rows;
+  }
+}
+
+bool generate(const Settings& settings, const std::string& path, unsigned threads) {
+  std::vector<std::vector<float>> rows(static_cast<std::size_t>(settings.events));
+  std::atomic<int> next{0};
+  const auto work = [&] {
+    for (int i = next++; i < settings.events; i = next++) {
+      rows[static_cast<std::size_t>(i)] = make_rows(settings, i);
+      if ((i + 1) % 500 == 0) std::fprintf(stderr, "\r%d of %d payloads", i + 1, settings.events);
+    }
+  };
+  std::vector<std::thread> workers;
+  for (unsigned t = 0; t < threads; ++t) workers.emplace_back(work);
+  for (std::thread& worker : workers) worker.join();
+  std::fprintf(stderr, "\n");
+
+  std::ofstream file(path, std::ios::binary);
+  file << kColumns << R"("rows": )" << settings.events * settings.windows << R"(, "events": )" << settings.events
+       << R"(, "seed": )" << settings.seed << R"(, "pose": ")" << (settings.any_pose ? "any" : "ready") << "\"}\n";
+  for (const std::vector<float>& event : rows) {
+    file.write(reinterpret_cast<const char*>(event.data()), static_cast<std::streamsize>(event.size() * sizeof(float)));
+  }
+  return static_cast<bool>(file.flush());
+}
+
+int whole(Arguments& arguments, const char* option, int otherwise) {
+  const double value = arguments.number(option).value_or(otherwise);
+  if (!(value >= 1 && value <= 1e9) || value != std::floor(value))
+    throw ArgumentError(std::string(option) + ": expected a whole number >= 1");
+  return static_cast<int>(value);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Settings settings;
+  std::string path;
+  unsigned threads = 1;
+  try {
+    Arguments arguments(argc, argv);
+    settings.events = whole(arguments, "--events", settings.events);
+    settings.windows = whole(arguments, "--windows", settings.windows);
+    settings.seed = static_cast<std::uint64_t>(whole(arguments, "--seed", 1));
+    const std::string pose = arguments.text("--pose").value_or("any");
+    if (pose != "any" && pose != "ready") throw ArgumentError("--pose: expected any or ready");
+    settings.any_pose = pose == "any";
+    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+    threads = static_cast<unsigned>(whole(arguments, "--threads", static_cast<int>(cores)));
+    path = arguments.positional("FILE");
+    arguments.finish();
+  } catch (const ArgumentError& error) {
+    std::fprintf(stderr, "%s\nusage: %s FILE [--events N] [--windows N] [--seed N] [--pose ready|any] [--threads N]\n",
+                 error.what(), argv[0]);
+    return 2;
+  }
+  if (!generate(settings, path, threads)) {
+    std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
+    return 3;
+  }
+  return 0;
+}

@@ -1,0 +1,75 @@
+// weights_to_header WEIGHTS.json NAME: prints a weights file as a C++ header, for a controller without files or JSON.
+//
+//     weights_to_header panda.json panda_weights > panda_weights.hpp
+//
+//     #include "panda_weights.hpp"
+//     static const rme::MismatchNetwork<float> network(panda_weights);
+//
+// Exit code: 0, or 2 for arguments it cannot use, or 3 for a file it cannot read or use.
+#include <cctype>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <rme/network/json.hpp>
+#include <run_network/json_file.hpp>
+#include <string>
+
+namespace {
+
+using Model = rme::MismatchModel<float>;
+
+bool is_identifier(const std::string& name) {
+  if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0]))) return false;
+  for (const char c : name) {
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_') return false;
+  }
+  return true;
+}
+
+/// A float literal that names the same float: 9 digits do.
+std::string literal(float value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.9g", static_cast<double>(value));
+  std::string number = text;
+  if (number.find_first_of(".e") == std::string::npos) number += ".0";
+  return number + "f";
+}
+
+template <typename Array>
+void print_array(const char* name, const Array& array) {
+  std::printf("    // %s\n    {{", name);
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    std::printf("%s%s", i == 0 ? "" : i % 10 == 0 ? ",\n      " : ", ", literal(array[i]).c_str());
+  }
+  std::printf("}},\n");
+}
+
+void print_header(const Model& model, const std::string& name) {
+  const auto& weights = model.weights;
+  const bool world = weights.frame == rme::InputFrame::World;
+  std::printf("#pragma once\n// Made by rme's weights_to_header.\n#include <rme/network/weights.hpp>\n\n");
+  std::printf("inline constexpr rme::MismatchNetworkWeights<float> %s{\n", name.c_str());
+  std::printf("    rme::InputFrame::%s,\n", world ? "World" : "EndEffector");
+  // An aggregate: what follows must be in the order of the members, which is that of for_each_tensor.
+  print_array("normalization.mean", weights.normalization_mean);
+  print_array("normalization.std", weights.normalization_std);
+  rme::for_each_tensor(weights, [](const char* tensor, const auto&, const auto& array) { print_array(tensor, array); });
+  std::printf("};\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3 || !is_identifier(argv[2])) {
+    std::fprintf(stderr, "usage: %s WEIGHTS.json NAME\n  NAME: a C++ identifier\n", argv[0]);
+    return 2;
+  }
+  try {
+    const auto model = std::make_unique<Model>(rme::model_from_json<float>(rme::examples::read_json_file(argv[1])));
+    print_header(*model, argv[2]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "weights_to_header: %s\n", error.what());
+    return 3;
+  }
+  return std::fflush(stdout) == 0 ? 0 : 3;
+}

@@ -1,0 +1,63 @@
+#pragma once
+/// Payload or push? What happened, judged by how well each explanation predicts the window.
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <rme/core/payload.hpp>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+#include <rme/inference/payload_statistics.hpp>
+
+namespace rme {
+
+/// What a hand or an obstacle may do to the end effector: a constant wrench of any direction about its origin.
+struct PushPrior {
+  double force = 15;    ///< standard deviation of each component [N], > 0
+  double moment = 1.5;  ///< standard deviation of each component [N m], > 0
+};
+
+/// log p(y | the hand holds exactly `payload`, and nothing else acts), nuisances integrated out.
+template <typename Scalar>
+Scalar payload_log_evidence(const PayloadLikelihood<Scalar>& likelihood, const Payload<Scalar>& payload) noexcept {
+  return likelihood.log_likelihood(payload.vector()) + likelihood.log_factor;
+}
+
+/// log p(y | the hand holds exactly `payload`, and a constant wrench w ~ N(0, S) acts as well), with w and the
+/// nuisances integrated out: with e = y - m (a + B r), b = sum_j J_j <1, e>_j and P = S^-1 + sum_j J_j J_j^T <1, 1>_j,
+/// over the joints j,
+///
+///     log p = -1/2 (sum_j <e, e>_j - b^T P^-1 b) - 1/2 log det(P S)     (docs/theory.md, "Payload or push")
+///
+/// @param jacobian  J, 6 x Dofs, of the window, over which it is taken as constant
+/// @param[out] log_evidence  as it was unless the status is Ok
+/// @return Ok, or NotPositiveDefinite (a nuisance covariance)
+template <typename Scalar, int Dofs>
+Status push_log_evidence(const PayloadStatistics<Scalar, Dofs>& statistics, const JointVector<Scalar, Dofs>& precision,
+                         const NuisanceGaussian<Scalar, Dofs>& nuisance, const Payload<Scalar>& payload,
+                         const Jacobian<Scalar, Dofs>& jacobian, const PushPrior& prior,
+                         Scalar& log_evidence) noexcept {
+  Vector6<Scalar> deviation;
+  deviation << Vector3<Scalar>::Constant(Scalar(prior.force)), Vector3<Scalar>::Constant(Scalar(prior.moment));
+  // In units of the prior's standard deviations P S becomes 1 + ..., which is always well scaled.
+  Matrix6<Scalar> P = Matrix6<Scalar>::Identity();
+  Vector6<Scalar> b = Vector6<Scalar>::Zero();
+  Eigen::Matrix<Scalar, 5, 1> residual;  // y - m a - m B r as a combination of (y, a, B)
+  residual << Scalar(1), -payload.mass, -payload.mass * payload.com;
+  Scalar ee = Scalar(0), log_factor = Scalar(0);
+  for (int j = 0; j < Dofs; ++j) {
+    typename PayloadStatistics<Scalar, Dofs>::Marginal joint;
+    const Status status = statistics.marginal(j, precision[j], nuisance, joint);
+    if (status != Status::Ok) return status;
+    const Vector6<Scalar> row = deviation.cwiseProduct(jacobian.col(j));
+    ee += residual.dot(joint.products.template topLeftCorner<5, 5>() * residual);
+    b += joint.products.template topRightCorner<5, 1>().dot(residual) * row;
+    P += joint.products(5, 5) * row * row.transpose();
+    log_factor += joint.log_factor;
+  }
+  const Eigen::LLT<Matrix6<Scalar>> llt(P);
+  if (llt.info() != Eigen::Success) return Status::NotPositiveDefinite;
+  log_evidence =
+      Scalar(-0.5) * (ee - b.dot(llt.solve(b))) - llt.matrixLLT().diagonal().array().log().sum() + log_factor;
+  return Status::Ok;
+}
+
+}  // namespace rme

@@ -1,0 +1,174 @@
+#pragma once
+/// The network that guesses the payload from the first 200 ms of pseudo-wrench.
+#include <Eigen/Core>
+#include <cmath>
+#include <rme/core/require.hpp>
+#include <rme/core/status.hpp>
+#include <rme/network/conv1d.hpp>
+#include <rme/network/linear.hpp>
+#include <rme/network/normalization.hpp>
+#include <rme/network/self_attention.hpp>
+#include <rme/network/weights.hpp>
+
+namespace rme {
+
+/// Normalisation, convolution over time, positional embedding, self-attention, mean over time, the shared MLP block,
+/// head (docs/weights.md has the formulas).
+///
+/// What is linear is multiplied out once, at construction and in double:
+///  - convolution, positional embedding and the queries' and keys' projection become one layer on patches of the input;
+///  - the mean over time goes through the output projection and the values into the attention weights: each head needs
+///    its values at one weighted mean of the samples, not at each sample;
+///  - the output projection is part of the MLP's first layer, and the MLP's last layer part of the head.
+///
+/// Real time: forward() allocates nothing, throws nothing and always does the same arithmetic. The object holds
+/// everything by value, 250 KB in float and 500 KB in double: let it be a member, static, or on the heap.
+template <typename Scalar, typename Architecture = PublishedArchitecture>
+class MismatchNetwork {
+  using A = Architecture;
+
+ public:
+  using Weights = MismatchNetworkWeights<Scalar, Architecture>;
+  /// Pseudo-wrenches, one sample per row, oldest first: force [N] x3, moment [N m] x3, in the axes of frame().
+  using Window = Eigen::Matrix<Scalar, A::kSamples, A::kChannels>;
+  using Output = Eigen::Matrix<Scalar, A::kOutputs, 1>;  ///< theta = (m [kg], r_x, r_y, r_z [m])
+
+  /// @throws std::invalid_argument naming the tensor if a number is not finite or a standard deviation is not > 0
+  explicit MismatchNetwork(const Weights& weights);
+
+  /// @return Ok, or NonFiniteInput if the window holds a NaN, an infinity, or numbers so large that the result would:
+  ///         then `out` is untouched
+  Status forward(const Window& window, Output& out) const noexcept;
+
+  InputFrame frame() const noexcept { return frame_; }
+  const Normalization<Scalar, A::kChannels>& normalization() const noexcept { return normalization_; }
+
+ private:
+  static constexpr int kEmbed = A::kConvChannels;
+  static constexpr int kHeadSize = kEmbed / A::kHeads;
+  using Convolution = Conv1d<Scalar, A::kSamples, A::kChannels, kEmbed, A::kConvKernel>;
+  static constexpr int kPatch = Convolution::kPatch;
+  template <int Rows, int Columns>
+  using Matrix = Eigen::Matrix<Scalar, Rows, Columns>;
+
+  InputFrame frame_;
+  Normalization<Scalar, A::kChannels> normalization_;
+  Matrix<kPatch, 2 * kEmbed> query_key_weight_;         // on the right of the patches, one per row
+  Matrix<A::kSamples, 2 * kEmbed> query_key_position_;  // its bias, different for each sample
+  Matrix<kEmbed, kPatch> value_weight_;                 // of the weighted mean patch of each head
+  Matrix<kEmbed, A::kSamples> value_position_;          // of the weights themselves: the position's share
+  Linear<Scalar, kEmbed, A::kMlpHidden> first_;         // output projection and mlp.0
+  Linear<Scalar, kEmbed, A::kMlpHidden> expand_;        // mlp.0
+  Linear<Scalar, A::kMlpHidden, kEmbed> contract_;      // mlp.2
+  Linear<Scalar, A::kMlpHidden, A::kOutputs> last_;     // mlp.2 and head
+};
+
+namespace detail {
+
+/// A weight as a double matrix; `array` is row-major.
+template <int Rows, int Columns, typename Array>
+Eigen::Matrix<double, Rows, Columns> as_matrix(const Array& array) {
+  static_assert(std::tuple_size_v<Array> == Rows * Columns);
+  using Map = Eigen::Map<const Eigen::Matrix<typename Array::value_type, Columns, Rows>>;
+  return Map(array.data()).transpose().template cast<double>();
+}
+
+template <int In, int Out, typename Weight, typename Bias>
+Linear<double, In, Out> as_linear(const Weight& weight, const Bias& bias) {
+  return {as_matrix<Out, In>(weight), as_matrix<Out, 1>(bias)};
+}
+
+template <typename Scalar, int In, int Out>
+Linear<Scalar, In, Out> cast(const Linear<double, In, Out>& layer) {
+  return {layer.weight.template cast<Scalar>(), layer.bias.template cast<Scalar>()};
+}
+
+/// Every number must be finite, and every standard deviation positive.
+template <typename Weights>
+void require_usable(const Weights& weights) {
+  const auto check = [](const char* name, const auto& array) {
+    for (const auto value : array) require(std::isfinite(value), name, "finite numbers", value);
+  };
+  check("normalization.mean", weights.normalization_mean);
+  check("normalization.std", weights.normalization_std);
+  for (const auto value : weights.normalization_std) require(value > 0, "normalization.std", "> 0", value);
+  for_each_tensor(weights, [&](const char* name, auto, const auto& array) { check(name, array); });
+}
+
+}  // namespace detail
+
+template <typename Scalar, typename Architecture>
+MismatchNetwork<Scalar, Architecture>::MismatchNetwork(const Weights& w) : frame_(w.frame) {
+  using detail::as_linear;
+  using detail::as_matrix;
+  using detail::cast;
+  detail::require_usable(w);
+  normalization_.mean = as_matrix<A::kChannels, 1>(w.normalization_mean).template cast<Scalar>();
+  normalization_.std = as_matrix<A::kChannels, 1>(w.normalization_std).template cast<Scalar>();
+
+  const auto convolution = as_linear<kPatch, kEmbed>(w.convolution_weight, w.convolution_bias);
+  auto in_proj = as_linear<kEmbed, 3 * kEmbed>(w.attention_in_proj_weight, w.attention_in_proj_bias);
+  const double scale = 1 / std::sqrt(double(kHeadSize));
+  in_proj.weight.template topRows<kEmbed>() *= scale;
+  in_proj.bias.template head<kEmbed>() *= scale;
+  // Before the projection, sample t is W_conv patch_t + position_t.
+  const Eigen::Matrix<double, kEmbed, A::kSamples> position =
+      as_matrix<A::kSamples, kEmbed>(w.positional_embedding).transpose().colwise() + convolution.bias;
+  const Eigen::Matrix<double, 3 * kEmbed, kPatch> projected_weight = in_proj.weight * convolution.weight;
+  const Eigen::Matrix<double, 3 * kEmbed, A::kSamples> projected_position =
+      (in_proj.weight * position).colwise() + in_proj.bias;
+  query_key_weight_ = projected_weight.template topRows<2 * kEmbed>().transpose().template cast<Scalar>();
+  query_key_position_ = projected_position.template topRows<2 * kEmbed>().transpose().template cast<Scalar>();
+  // The attention weights of a query sum to 1, so that the values' bias may ride on them.
+  value_weight_ = projected_weight.template bottomRows<kEmbed>().template cast<Scalar>();
+  value_position_ = projected_position.template bottomRows<kEmbed>().template cast<Scalar>();
+
+  const auto out_proj = as_linear<kEmbed, kEmbed>(w.attention_out_proj_weight, w.attention_out_proj_bias);
+  const auto expand = as_linear<kEmbed, A::kMlpHidden>(w.mlp_0_weight, w.mlp_0_bias);
+  const auto contract = as_linear<A::kMlpHidden, kEmbed>(w.mlp_2_weight, w.mlp_2_bias);
+  const auto head = as_linear<kEmbed, A::kOutputs>(w.head_weight, w.head_bias);
+  first_ = cast<Scalar>(compose(expand, out_proj));
+  expand_ = cast<Scalar>(expand);
+  contract_ = cast<Scalar>(contract);
+  last_ = cast<Scalar>(compose(head, contract));
+}
+
+template <typename Scalar, typename Architecture>
+Status MismatchNetwork<Scalar, Architecture>::forward(const Window& window, Output& out) const noexcept {
+  if (!window.allFinite()) return Status::NonFiniteInput;
+  Window normalized;
+  normalization_.forward(window, normalized);
+  typename Convolution::Patches patches;
+  Convolution::unfold(normalized, patches);
+
+  Matrix<A::kSamples, 2 * kEmbed> query_key = query_key_position_;
+  query_key.noalias() += patches * query_key_weight_;
+  Matrix<kEmbed, 1> pooled;  // values under the mean attention, all heads
+  for (int h = 0; h < A::kHeads; ++h) {
+    const int row = h * kHeadSize;
+    Matrix<A::kSamples, A::kSamples> weights;
+    attention_weights(query_key.template middleCols<kHeadSize>(row),
+                      query_key.template middleCols<kHeadSize>(kEmbed + row), weights);
+    const Matrix<A::kSamples, 1> mean_weights = weights.colwise().mean().transpose();
+    const Matrix<kPatch, 1> mean_patch = patches.transpose() * mean_weights;
+    pooled.template segment<kHeadSize>(row).noalias() =
+        value_weight_.template middleRows<kHeadSize>(row) * mean_patch +
+        value_position_.template middleRows<kHeadSize>(row) * mean_weights;
+  }
+
+  Matrix<A::kMlpHidden, 1> hidden;
+  first_.forward(pooled, hidden);
+  hidden = hidden.cwiseMax(Scalar(0));
+  for (int repeat = 1; repeat < A::kMlpRepeats; ++repeat) {
+    contract_.forward(hidden, pooled);
+    expand_.forward(pooled, hidden);
+    hidden = hidden.cwiseMax(Scalar(0));
+  }
+  Output result;
+  last_.forward(hidden, result);
+  if (!result.allFinite()) return Status::NonFiniteInput;
+  out = result;
+  return Status::Ok;
+}
+
+}  // namespace rme

@@ -1,0 +1,22 @@
+#pragma once
+/// Input normalisation, per channel.
+#include <Eigen/Core>
+
+namespace rme {
+
+/// (x - mean) / std in each channel, with the mean and standard deviation of the training data.
+template <typename Scalar, int Channels>
+struct Normalization {
+  Eigen::Matrix<Scalar, Channels, 1> mean = Eigen::Matrix<Scalar, Channels, 1>::Zero();
+  Eigen::Matrix<Scalar, Channels, 1> std = Eigen::Matrix<Scalar, Channels, 1>::Ones();  ///< > 0
+
+  /// @param window  Samples x Channels, one sample per row
+  /// @param y       Samples x Channels
+  template <int Samples>
+  void forward(const Eigen::Matrix<Scalar, Samples, Channels>& window,
+               Eigen::Matrix<Scalar, Samples, Channels>& y) const noexcept {
+    y = (window.rowwise() - mean.transpose()).array().rowwise() / std.transpose().array();
+  }
+};
+
+}  // namespace rme

@@ -1,0 +1,55 @@
+#pragma once
+/// Multi-head self-attention.
+#include <Eigen/Core>
+#include <cmath>
+#include <rme/network/linear.hpp>
+
+namespace rme {
+
+/// Attention weights of one head: softmax over the keys of q_t . k_s.
+/// @param queries  Samples x Size, one query per row, already scaled by 1 / sqrt(Size)
+/// @param keys     Samples x Size, one key per row
+/// @param weights  Samples x Samples: row t says how much query t takes from each sample; each row sums to 1
+template <typename Queries, typename Keys, typename Scalar, int Samples>
+void attention_weights(const Eigen::MatrixBase<Queries>& queries, const Eigen::MatrixBase<Keys>& keys,
+                       Eigen::Matrix<Scalar, Samples, Samples>& weights) noexcept {
+  // Queries run along the contiguous direction, so that maximum, exponential and sum are all element by element.
+  weights.noalias() = queries.lazyProduct(keys.transpose());
+  const Eigen::Matrix<Scalar, Samples, 1> highest = weights.rowwise().maxCoeff();
+  weights.colwise() -= highest;
+  weights = weights.array().exp();  // on its own: inside the line above Eigen does not vectorise it
+  const Eigen::Matrix<Scalar, Samples, 1> total = weights.rowwise().sum();
+  weights.array().colwise() /= total.array();
+}
+
+/// torch.nn.MultiheadAttention(Embed, Heads, batch_first=True) with query = key = value, without dropout: no residual,
+/// no layer norm.
+template <typename Scalar, int Samples, int Embed, int Heads>
+struct SelfAttention {
+  static_assert(Embed % Heads == 0, "each head takes an equal share of the embedding");
+  static constexpr int kHeadSize = Embed / Heads;
+  using Sequence = Eigen::Matrix<Scalar, Embed, Samples>;  ///< one sample per column
+
+  Linear<Scalar, Embed, 3 * Embed> in_proj;  ///< queries, then keys, then values; head h is rows h * kHeadSize onwards
+  Linear<Scalar, Embed, Embed> out_proj;
+
+  /// @param x  Embed x Samples
+  /// @param y  Embed x Samples
+  void forward(const Sequence& x, Sequence& y) const noexcept {
+    Eigen::Matrix<Scalar, 3 * Embed, Samples> projected;
+    in_proj.forward(x, projected);
+    const Scalar scale = Scalar(1) / std::sqrt(Scalar(kHeadSize));
+    Sequence heads;
+    for (int h = 0; h < Heads; ++h) {
+      const auto queries = projected.template middleRows<kHeadSize>(h * kHeadSize);
+      const auto keys = projected.template middleRows<kHeadSize>(Embed + h * kHeadSize);
+      const auto values = projected.template middleRows<kHeadSize>(2 * Embed + h * kHeadSize);
+      Eigen::Matrix<Scalar, Samples, Samples> weights;
+      attention_weights(scale * queries.transpose(), keys.transpose(), weights);
+      heads.template middleRows<kHeadSize>(h * kHeadSize).noalias() = values * weights.transpose();
+    }
+    out_proj.forward(heads, y);
+  }
+};
+
+}  // namespace rme

@@ -1,0 +1,15 @@
+# Every relative link in README.md and docs/ names a file that is there.
+cmake_minimum_required(VERSION 3.22)
+file(GLOB_RECURSE documents ${ROOT}/README.md ${ROOT}/docs/*.md)
+foreach(document IN LISTS documents)
+  cmake_path(GET document PARENT_PATH folder)
+  file(READ ${document} text)
+  string(REGEX REPLACE "[][;]" "|" text "${text}")  # brackets and semicolons would split CMake's lists
+  string(REGEX MATCHALL "\\|\\([^()\n ]+\\)" links "${text}")
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "\\|\\(([^#)]*).*" "\\1" target "${link}")
+    if(target AND NOT target MATCHES "^https?:" AND NOT EXISTS ${folder}/${target})
+      message(SEND_ERROR "${document}: no ${target}")
+    endif()
+  endforeach()
+endforeach()

@@ -1,0 +1,21 @@
+# Installs into STAGE by way of another folder, as a binary package would: nothing installed may depend on where it was.
+cmake_minimum_required(VERSION 3.22)
+set(elsewhere ${STAGE}_before_the_move)
+file(REMOVE_RECURSE ${STAGE} ${elsewhere})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${elsewhere} COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME ${elsewhere} ${STAGE})
+
+# A path into this checkout would work here and nowhere else, so that no consumer would notice.
+file(GLOB_RECURSE package_files ${STAGE}/*.cmake)
+if(NOT package_files)
+  message(FATAL_ERROR "no CMake package was installed")
+endif()
+foreach(path IN ITEMS ${SOURCE} ${BUILD} ${elsewhere})
+  string(REGEX REPLACE "([][+.*()^$?|\\])" "\\\\\\1" pattern "${path}")
+  foreach(file IN LISTS package_files)
+    file(STRINGS ${file} lines REGEX "(^|[^A-Za-z0-9_}/-])${pattern}(/|[^A-Za-z0-9_-]|$)")
+    if(lines)
+      message(FATAL_ERROR "${file} names ${path}: ${lines}")
+    endif()
+  endforeach()
+endforeach()
