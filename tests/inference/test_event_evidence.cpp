@@ -83,8 +83,11 @@ TEST_CASE("push_log_evidence: a nuisance covariance that is not positive definit
   CHECK(evidence == 7);
 }
 
-static_assert(noexcept(rme::push_log_evidence<double, kDofs>(
-    std::declval<const rme::PayloadStatistics<double, kDofs>&>(), rme::JointVector<double, kDofs>(),
-    std::declval<const rme::NuisanceGaussian<double, kDofs>&>(), {}, Jacobian(), {}, std::declval<double&>())));
+static_assert(noexcept(rme::push_log_evidence(std::declval<const rme::PayloadStatistics<double, kDofs>&>(),
+                                              std::declval<const rme::JointVector<double, kDofs>&>(),
+                                              std::declval<const rme::NuisanceGaussian<double, kDofs>&>(),
+                                              std::declval<const rme::Payload<double>&>(),
+                                              std::declval<const Jacobian&>(), std::declval<const rme::PushPrior&>(),
+                                              std::declval<double&>())));
 
 }  // namespace

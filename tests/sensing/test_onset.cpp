@@ -58,7 +58,7 @@ TEST_CASE("find_onset: a planted step is found to the sample, under noise within
 TEST_CASE("find_onset: a slow hand-over is not sharp", "[onset]") {
   // A ramp of slope c per tick: means 10 apart differ by 10 c everywhere, those at the ends of 520 samples by 510 c.
   const double slope = 0.01;
-  const Window ramp = window_of(520, [&](std::size_t age) { return -slope * double(age) * direction(); });
+  const Window ramp = window_of(520, [&](std::size_t age) { return Torque(-slope * double(age) * direction()); });
   const auto onset = rme::find_onset(ramp, 520, 10);
   CHECK(onset.jump == Approx(10 * slope));
   CHECK(onset.total == Approx(510 * slope));

@@ -124,8 +124,10 @@ TEST_CASE("in_end_effector_axes: of a payload at rest it is the weight and its l
   }
 }
 
-static_assert(noexcept(rme::pseudo_wrench<double, 7>(Jacobian7<double>(), Torque7<double>(), 1e-2,
+static_assert(noexcept(rme::pseudo_wrench<double, 7>(std::declval<const Jacobian7<double>&>(),
+                                                     std::declval<const Torque7<double>&>(), 1e-2,
                                                      std::declval<rme::Wrench<double>&>())));
-static_assert(noexcept(rme::in_end_effector_axes(rme::Wrench<double>(), rme::Matrix3<double>())));
+static_assert(noexcept(rme::in_end_effector_axes(std::declval<const rme::Wrench<double>&>(),
+                                                 std::declval<const rme::Matrix3<double>&>())));
 
 }  // namespace
