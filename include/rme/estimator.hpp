@@ -166,7 +166,11 @@ class Estimator {
   bool is_onset(const Onset<Scalar>& onset) const noexcept {
     return onset.sharp() && onset.jump > static_cast<Scalar>(config_.onset_jump);
   }
-  Eigen::Matrix<double, Dofs, 1> watched() const noexcept;
+  using Signal = Eigen::Matrix<double, Dofs, 1>;
+  Signal watched(std::size_t age) const noexcept;
+  Signal level(std::size_t newest) const noexcept;
+  bool changed() noexcept;
+  void remember_quiet(std::size_t quiet_age) noexcept;
   PayloadRegressor<Scalar, Dofs> regressor(const Sample<Scalar, Dofs>& sample,
                                            const Vector3<Scalar>& com) const noexcept {
     return payload_regressor<Scalar, Dofs>(sample.raw.jacobian, sample.raw.rotation, config_.gravity, sample.motion,
@@ -196,6 +200,8 @@ class Estimator {
   bool rejected_ = false;
   bool pushed_ = false;  // the last change was a push: what follows it is no baseline
   double detected_at_ = 0;
+  bool changing_ = false;                 // a change has begun; it may not have settled yet
+  Signal level_before_ = Signal::Zero();  // of the watched signal, before it
 };
 
 template <typename Scalar, int Dofs>
@@ -232,7 +238,7 @@ void Estimator<Scalar, Dofs, PriorSource>::reset() noexcept {
   phase_ = Phase::Watching;
   estimate_ = Estimate<Scalar>();
   ticks_ = 0;
-  tared_ = pushed_ = rejected_ = false;
+  tared_ = pushed_ = rejected_ = changing_ = false;
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -249,20 +255,54 @@ Status Estimator<Scalar, Dofs, PriorSource>::update(const Proprioception<Scalar,
     if (++collected_ >= ticks_of(config_.collection)) make_estimate();
     return Status::Ok;
   }
-  if (detector_.update(watched()) == Status::Ok && detector_.detected()) begin_collection(false);
+  if (detector_.update(watched(0)) == Status::Ok && changed()) begin_collection(false);
   return Status::Ok;
 }
 
-/// The signal in which changes are looked for. When a loaded arm moves its torque changes without any event, and when
-/// compensation sets in it is the payload's inertia that shows, so the known payload's share is taken off.
+/// Whether something has changed and settled. A compliant arm sags under a heavy payload for longer than the detector
+/// looks back: what was before is therefore remembered as soon as the change begins.
 template <typename Scalar, int Dofs, typename PriorSource>
-Eigen::Matrix<double, Dofs, 1> Estimator<Scalar, Dofs, PriorSource>::watched() const noexcept {
-  const Sample<Scalar, Dofs>& newest = window_.newest();
+bool Estimator<Scalar, Dofs, PriorSource>::changed() noexcept {
+  if (detector_.rapid_change() && !changing_) {
+    const std::size_t span = ticks_of(config_.onset_span), window = ticks_of(config_.detector.window);
+    const Onset<Scalar> onset = find_onset(window_, window + 2 * span, span);
+    remember_quiet(is_onset(onset) ? onset.age + 1 : window);
+    changing_ = true;
+  }
+  if (!changing_ || !detector_.stabilised()) return false;
+  if (detector_.rapid_change()) return true;
+  changing_ = (level(0) - level_before_).norm() > config_.detector.activation_threshold;  // or all is as it was
+  return changing_;
+}
+
+/// Learns from the quiet past, whose newest sample that is sure to be quiet has this age.
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::remember_quiet(std::size_t quiet_age) noexcept {
+  quiet_age += ticks_of(config_.baseline_guard);
+  level_before_ = level(quiet_age);
+  if (estimate_.empty && !tared_ && !pushed_) learn_baseline(quiet_age, ticks_of(config_.baseline));
+}
+
+/// Mean of the watched signal over the span whose newest sample has this age.
+template <typename Scalar, int Dofs, typename PriorSource>
+auto Estimator<Scalar, Dofs, PriorSource>::level(std::size_t newest) const noexcept -> Signal {
+  const std::size_t count = std::max<std::size_t>(1, ticks_of(config_.detector.check_average));
+  Signal sum = Signal::Zero();
+  for (std::size_t i = 0; i < count; ++i) sum += watched(std::min(newest + i, window_.size() - 1));
+  return sum / static_cast<double>(count);
+}
+
+/// The signal in which changes are looked for, `age` ticks ago. When a loaded arm moves its torque changes without any
+/// event, and when compensation sets in it is the payload's inertia that shows, so the known payload's share is taken
+/// off.
+template <typename Scalar, int Dofs, typename PriorSource>
+auto Estimator<Scalar, Dofs, PriorSource>::watched(std::size_t age) const noexcept -> Signal {
+  const Sample<Scalar, Dofs>& sample = window_.newest(age);
   if (config_.watch_norm)  // in one channel; the others stay zero
-    return Eigen::Matrix<double, Dofs, 1>::Unit(0) * static_cast<double>(newest.raw.tau_ext.norm());
-  if (estimate_.empty) return newest.tau.template cast<double>();
+    return Signal::Unit(0) * static_cast<double>(sample.raw.tau_ext.norm());
+  if (estimate_.empty) return sample.tau.template cast<double>();
   const Payload<Scalar> payload = estimate_.payload();
-  return (newest.tau - regressor(newest, payload.com).torque(payload)).template cast<double>();
+  return (sample.tau - regressor(sample, payload.com).torque(payload)).template cast<double>();
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -278,8 +318,7 @@ void Estimator<Scalar, Dofs, PriorSource>::tare(double duration) noexcept {
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noexcept {
-  const bool interrupted =
-      phase_ == Phase::Collecting;  // its baseline is from before the change; a new one might not be
+  const bool interrupted = phase_ == Phase::Collecting;
   phase_ = Phase::Collecting;
   collected_ = 0;
   onset_age_ = 0;
@@ -295,8 +334,10 @@ void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noex
     quiet_age = onset.age + 1;
     if (!triggered) onset_age_ = quiet_age;
   }
-  if (estimate_.empty && !tared_ && !interrupted && !pushed_)
-    learn_baseline(quiet_age + ticks_of(config_.baseline_guard), ticks_of(config_.baseline));
+  // The baseline of an interrupted collection, or of a change that has been seen to begin, is from before the change;
+  // a new one might not be.
+  if (!interrupted && !changing_) remember_quiet(quiet_age);
+  changing_ = false;
 }
 
 /// The nuisances of the coming event, from `count` samples of an empty hand, the newest of them of age `newest`.
