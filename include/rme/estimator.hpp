@@ -67,6 +67,7 @@ struct EstimatorConfig {
   double baseline_guard = 0.02;   ///< between the quiet window and the change [s], >= 0
   double onset_span = 0.01;       ///< of the means whose difference finds the instant of the change [s], > 0
   double onset_jump = 0.4;        ///< a smaller step is no onset [N m], > 0
+  double onset_guard = 0;         ///< after the instant of the change: samples left out [s], >= 0
   double unrest = 0.8;            ///< a collection in which the torque changes by more starts again [N m], > 0
   double gyration_radius = 0.03;  ///< of a payload about its own centre of mass, roughly [m], >= 0
   PushPrior push;                 ///< what a change may be that is no payload
@@ -187,6 +188,7 @@ class Estimator {
   MismatchDetector<Dofs> detector_;
   SampleWindow<Scalar, Dofs> window_;
   EventInference<Scalar, Dofs> inference_;
+  int block_ = 1;  // ticks that are averaged before they enter the sums
   Phase phase_ = Phase::Watching;
   Estimate<Scalar> estimate_;
   Verdict<Scalar> verdict_;
@@ -214,6 +216,7 @@ void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
   detail::require(baseline_guard >= 0, "EstimatorConfig::baseline_guard", ">= 0 s", baseline_guard);
   detail::require(onset_span >= dt, "EstimatorConfig::onset_span", ">= 1 sample [s]", onset_span);
   detail::require(onset_jump > 0, "EstimatorConfig::onset_jump", "> 0 N m", onset_jump);
+  detail::require(onset_guard >= 0, "EstimatorConfig::onset_guard", ">= 0 s", onset_guard);
   detail::require(unrest > 0, "EstimatorConfig::unrest", "> 0 N m", unrest);
   detail::require(gyration_radius >= 0, "EstimatorConfig::gyration_radius", ">= 0 m", gyration_radius);
   const double needed = detector.window + std::max(collection, baseline + baseline_guard) + 2 * dt;
@@ -228,7 +231,12 @@ Estimator<Scalar, Dofs, PriorSource>::Estimator(double dt, const Config& config,
       dt_(dt),
       detector_(dt, config.detector),
       window_(dt, config.window),
-      inference_(Scalar(dt), config.sensors, config.push, config.inference) {}
+      inference_(Scalar(dt), config.sensors, config.push, config.inference) {
+  double shortest = config.collection;
+  for (const auto& sensor : config.sensors)
+    shortest = std::min(shortest, 2 * static_cast<double>(sensor.noise_correlation_time));
+  block_ = static_cast<int>(std::max<std::size_t>(1, ticks_of(shortest)));
+}
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::reset() noexcept {
@@ -332,7 +340,7 @@ void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noex
   std::size_t quiet_age = triggered ? 0 : ticks_of(config_.detector.window);
   if (is_onset(onset)) {
     quiet_age = onset.age + 1;
-    if (!triggered) onset_age_ = quiet_age;
+    if (!triggered) onset_age_ = quiet_age - std::min(quiet_age, ticks_of(config_.onset_guard));
   }
   // The baseline of an interrupted collection, or of a change that has been seen to begin, is from before the change;
   // a new one might not be.
@@ -350,19 +358,23 @@ void Estimator<Scalar, Dofs, PriorSource>::learn_baseline(std::size_t newest, st
     inference_.forget_baseline();
 }
 
-/// Sums over the samples of ages oldest - 1 down to newest.
+/// Sums over the samples of ages oldest - 1 down to newest, in means over as long as the noise of SensorModel stays the
+/// same. What varies from tick to tick is averaged out there: it would look like noise of another kind, and the
+/// evidence of the sensor models would be about that.
 template <typename Scalar, int Dofs, typename PriorSource>
 PayloadStatistics<Scalar, Dofs> Estimator<Scalar, Dofs, PriorSource>::statistics(
     std::size_t oldest, std::size_t newest, const Vector3<Scalar>& com_guess) const noexcept {
   Statistics sums;
+  PayloadObservation<Scalar, Dofs> mean;
+  int ticks = 0;
   for (std::size_t age = oldest; age-- > newest;) {
     const Sample<Scalar, Dofs>& s = window_.newest(age);
-    PayloadObservation<Scalar, Dofs> o;
-    o.tau = s.tau;
-    o.regressor = regressor(s, com_guess);
-    o.direction = s.direction;
-    o.velocity = s.raw.dq;
-    sums.add(o);
+    mean += {s.tau, regressor(s, com_guess), s.direction, s.raw.dq};
+    if (++ticks < block_ && age > newest) continue;
+    mean *= Scalar(1) / Scalar(ticks);
+    sums.add(mean, ticks);
+    mean = PayloadObservation<Scalar, Dofs>();
+    ticks = 0;
   }
   return sums;
 }
