@@ -62,13 +62,12 @@ struct EstimatorConfig {
   /// What the arm's torque sensing is like; several are averaged by their evidence, event by event. At least one.
   std::vector<SensorModel<Scalar, Dofs>> sensors = {SensorModel<Scalar, Dofs>::link_side(),
                                                     SensorModel<Scalar, Dofs>::joint_friction()};
-  double collection = 0.2;       ///< how long samples are gathered after the detection [s], > 0
-  double baseline = 0.3;         ///< length of the quiet window before the change [s], >= 0; 0 uses none
-  double baseline_guard = 0.02;  ///< between the quiet window and the change [s], >= 0
-  double onset_span = 0.01;      ///< of the means whose difference finds the instant of the change [s], > 0
-  double onset_jump = 0.4;       ///< a smaller step is no onset [N m], > 0
-  double onset_guard =
-      0.04;  ///< after the instant of the change: left out, as the observer's lag is not exactly known [s], >= 0
+  double collection = 0.2;        ///< how long samples are gathered after the detection [s], > 0
+  double baseline = 0.3;          ///< length of the quiet window before the change [s], >= 0; 0 uses none
+  double baseline_guard = 0.02;   ///< between the quiet window and the change [s], >= 0
+  double onset_span = 0.01;       ///< of the means whose difference finds the instant of the change [s], > 0
+  double onset_jump = 0.4;        ///< a smaller step is no onset [N m], > 0
+  double onset_guard = 0.04;      ///< after the change: samples left out while the observer catches up [s], >= 0
   double unrest = 0.8;            ///< a collection in which the torque changes by more starts again [N m], > 0
   double gyration_radius = 0.03;  ///< of a payload about its own centre of mass, roughly [m], >= 0
   PushPrior push;                 ///< what a change may be that is no payload
