@@ -80,6 +80,7 @@ void visit_fields(Config& c, Visit&& visit, const EstimatorConfig<Scalar, Dofs>*
   visit("baseline_guard", c.baseline_guard);
   visit("onset_span", c.onset_span);
   visit("onset_jump", c.onset_jump);
+  visit("onset_guard", c.onset_guard);
   visit("unrest", c.unrest);
   visit("gyration_radius", c.gyration_radius);
   visit("push", c.push);

@@ -15,7 +15,7 @@ while(pending)
   endforeach()
 endwhile()
 
-set(json "/json[^/]*\\.hpp$")
+set(json "json\\.hpp$")
 foreach(header IN LISTS headers)
   if(header MATCHES ${json} AND header IN_LIST reached)
     message(SEND_ERROR "rme/rme.hpp must not bring ${header}")
