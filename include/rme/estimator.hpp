@@ -10,6 +10,7 @@
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/event_inference.hpp>
+#include <rme/inference/fixed_prior.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_statistics.hpp>
 #include <rme/inference/sensor_model.hpp>
@@ -75,19 +76,6 @@ struct EstimatorConfig {
 
   /// @throws std::invalid_argument naming the field out of range
   void validate(double dt) const;
-};
-
-/// The prior that needs no training: what hands usually pick up.
-template <typename Scalar>
-struct FixedPrior {
-  PayloadGaussian<Scalar> gaussian = PayloadGaussian<Scalar>::independent(
-      {Scalar(0.8), Scalar(0), Scalar(0), Scalar(0.1)}, {Scalar(0.6), Scalar(0.05), Scalar(0.05), Scalar(0.06)});
-
-  /// A prior source: called once per estimate with the window, whose newest `count` samples were collected.
-  template <int Dofs>
-  PayloadGaussian<Scalar> operator()(const SampleWindow<Scalar, Dofs>&, std::size_t /*count*/) const noexcept {
-    return gaussian;
-  }
 };
 
 /// An estimate and where it comes from. Times count from the estimator's construction or reset [s].

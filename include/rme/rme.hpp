@@ -39,6 +39,7 @@
 #include <rme/network/normalization.hpp>
 #include <rme/network/self_attention.hpp>
 #include <rme/network/weights.hpp>
+#include <rme/network_prior.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <rme/sensing/onset.hpp>

@@ -1,0 +1,228 @@
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <rme/core/wrench.hpp>
+#include <rme/inference/event_inference.hpp>
+#include <stdexcept>
+
+#include "support/catch.hpp"
+#include "support/random_events.hpp"
+
+namespace {
+
+using rme::testing::gaussian3;
+using rme::testing::wide_prior;
+using Inference = rme::EventInference<double, 7>;
+using Model = rme::SensorModel<double, 7>;
+using Payload = rme::Payload<double>;
+using Torque = rme::JointVector<double, 7>;
+
+constexpr double kPeriod = 1e-3;
+
+/// An arm in one pose, whose torque follows `model` to the letter: offset for good, stiction drawn for each window.
+class Bench {
+ public:
+  Bench(unsigned seed, const Model& model) : random_(seed), model_(model) {
+    std::uniform_real_distribution<double> u(-1, 1);
+    for (int j = 0; j < 7; ++j) {  // seven random joint axes within reach of the flange
+      const Eigen::Vector3d axis = gaussian3(random_).normalized();
+      jacobian_.col(j) << axis.cross(0.4 * Eigen::Vector3d(u(random_), u(random_), u(random_))), axis;
+    }
+    rotation_ = Eigen::AngleAxisd(3 * u(random_), gaussian3(random_).normalized()).toRotationMatrix();
+    offset_ = model.offset.cwiseProduct(normal());
+    coulomb_ = model.coulomb_mean + model.coulomb_std.cwiseProduct(normal());
+  }
+
+  const rme::Jacobian<double, 7>& jacobian() const { return jacobian_; }
+
+  /// 200 samples at rest after a small motion in random directions.
+  Inference::Statistics window(const Payload& payload, const Eigen::Vector3d& push = Eigen::Vector3d::Zero()) {
+    rme::PayloadObservation<double, 7> o;
+    o.regressor = rme::payload_regressor<double, 7>(jacobian_, rotation_, rme::standard_gravity<double>());
+    o.direction = normal().cwiseSign();
+    const Torque constant = o.regressor.torque(payload) + jacobian_.topRows<3>().transpose() * push + offset_ +
+                            model_.stiction.cwiseProduct(normal()) - coulomb_.cwiseProduct(o.direction);
+    // White noise of a size that tells as much as the model's noise with its memory does.
+    const Torque deviation = model_.precision(kPeriod).cwiseInverse().cwiseSqrt();
+    Inference::Statistics sums;
+    for (int t = 0; t < 200; ++t) {
+      o.tau = constant + deviation.cwiseProduct(normal());
+      sums.add(o);
+    }
+    return sums;
+  }
+
+ private:
+  Torque normal() {
+    return Torque::NullaryExpr([this] { return normal_(random_); });
+  }
+
+  std::mt19937_64 random_;
+  std::normal_distribution<double> normal_;
+  Model model_;
+  rme::Jacobian<double, 7> jacobian_;
+  Eigen::Matrix3d rotation_;
+  Torque offset_, coulomb_;
+};
+
+Inference inference_of(const std::vector<Model>& models) {
+  return {kPeriod, models, {}, {}};
+}
+Inference default_inference() {
+  return inference_of({Model::link_side(), Model::joint_friction()});
+}
+
+TEST_CASE("EventInference: an object, an empty hand, a push and nothing at all are told apart", "[event_inference]") {
+  const unsigned seed = 110;
+  CAPTURE(seed);
+  const Payload before{0.8, {0.03, -0.02, 0.1}}, after{1.5, {-0.02, 0.04, 0.12}};
+  const Eigen::Vector3d sideways(10, -6, 0);  // no weight pulls across gravity
+  for (unsigned k = 0; k < 50; ++k) {
+    CAPTURE(k);
+    Bench bench(seed + k, Model::link_side());
+    Inference inference = default_inference();
+    inference.learn_baseline(bench.window({}));
+    const auto judge = [&](const Payload& known, const Payload& now, const Eigen::Vector3d& push) {
+      return inference.judge(bench.window(now, push), wide_prior(), known, bench.jacobian());
+    };
+    const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+    struct Case {
+      const char* what;
+      Payload known, now;
+      Eigen::Vector3d push;
+      double rme::Verdict<double>::*best;
+    };
+    for (const Case& c : {Case{"picked up", {}, after, none, &rme::Verdict<double>::payload},
+                          {"one more on top", before, after, none, &rme::Verdict<double>::payload},
+                          {"put down", before, {}, none, &rme::Verdict<double>::empty},
+                          {"pushed, empty", {}, {}, sideways, &rme::Verdict<double>::push},
+                          {"pushed, loaded", before, before, sideways, &rme::Verdict<double>::push},
+                          {"nothing, loaded", before, before, none, &rme::Verdict<double>::unchanged}}) {
+      CAPTURE(c.what);
+      const auto verdict = judge(c.known, c.now, c.push);
+      CAPTURE(verdict.payload, verdict.empty, verdict.unchanged, verdict.push);
+      CHECK(verdict.*c.best == std::max({verdict.payload, verdict.empty, verdict.unchanged, verdict.push}));
+      const bool changed = c.best == &rme::Verdict<double>::payload || c.best == &rme::Verdict<double>::empty;
+      CHECK(verdict.is_payload() == changed);
+      CHECK((verdict.log_odds() > 0) == changed);
+      if (changed) CHECK(verdict.is_empty() == (c.now.mass == 0));
+    }
+    // An empty hand that stays empty: both say the same, and a change needs more.
+    const auto nothing = judge({}, {}, none);
+    CHECK(nothing.empty == nothing.unchanged);
+    CHECK_FALSE(nothing.is_payload());
+  }
+}
+
+TEST_CASE("EventInference: several sensor models give the mixture of what each says alone", "[event_inference]") {
+  const unsigned seed = 111;
+  CAPTURE(seed);
+  const Payload payload{1.1, {0.05, 0.02, 0.13}};
+  for (unsigned k = 0; k < 20; ++k) {
+    CAPTURE(k);
+    Bench bench(seed + k, k % 2 == 0 ? Model::link_side() : Model::joint_friction());
+    const auto quiet = bench.window({}), window = bench.window(payload);
+    std::vector<rme::ModelAverage<double>> alone;
+    for (const Model& model : {Model::link_side(), Model::joint_friction()}) {
+      Inference one = inference_of({model});
+      one.learn_baseline(quiet);
+      alone.push_back(one.posterior(window, wide_prior()));
+    }
+    Inference both = default_inference();
+    both.learn_baseline(quiet);
+    const auto average = both.posterior(window, wide_prior());
+    // p = e^l0 / (e^l0 + e^l1), and the law of total variance.
+    const double l0 = alone[0].log_evidence(), l1 = alone[1].log_evidence(), p = 1 / (1 + std::exp(l1 - l0));
+    CAPTURE(l0, l1);
+    const auto a = alone[0].moments(), b = alone[1].moments();
+    const Eigen::Vector4d d = a.mean - b.mean, sd = a.standard_deviation();
+    const Eigen::Vector4d mean = p * a.mean + (1 - p) * b.mean;
+    const Eigen::Matrix4d covariance = p * a.covariance + (1 - p) * b.covariance + p * (1 - p) * d * d.transpose();
+    CHECK((average.moments().mean - mean).cwiseQuotient(sd).norm() < 1e-8);
+    CHECK((average.moments().covariance - covariance).cwiseQuotient(sd * sd.transpose()).norm() < 1e-7);
+    CHECK(average.log_evidence() == Approx(std::max(l0, l1) + std::log1p(std::exp(-std::abs(l0 - l1)))));
+  }
+}
+
+TEST_CASE("EventInference: the model that the arm follows is the one believed", "[event_inference]") {
+  const unsigned seed = 112;
+  CAPTURE(seed);
+  const Payload payload{1.1, {0.05, 0.02, 0.13}};
+  const std::vector<Model> models = {Model::link_side(), Model::joint_friction()};
+  for (std::size_t truth = 0; truth < 2; ++truth) {
+    CAPTURE(truth);
+    int believed = 0;
+    for (unsigned k = 0; k < 40; ++k) {
+      Bench bench(seed + k, models[truth]);
+      const auto quiet = bench.window({}), window = bench.window(payload);
+      std::vector<double> evidence;
+      for (const Model& model : models) {
+        Inference one = inference_of({model});
+        one.learn_baseline(quiet);
+        evidence.push_back(one.posterior(window, wide_prior()).log_evidence());
+      }
+      if (evidence[truth] > evidence[1 - truth]) ++believed;
+    }
+    CHECK(believed >= 38);  // friction is 4 to 20 times what link-side sensing expects of it
+  }
+}
+
+TEST_CASE("EventInference: a baseline sharpens the estimate, and forgetting it takes that back", "[event_inference]") {
+  const unsigned seed = 113;
+  CAPTURE(seed);
+  const Payload payload{1.1, {0.05, 0.02, 0.13}};
+  Bench bench(seed, Model::link_side());
+  const auto quiet = bench.window({}), window = bench.window(payload);
+  Inference inference = inference_of({Model::link_side()});
+  const auto without = inference.posterior(window, wide_prior()).moments();
+  inference.learn_baseline(quiet);
+  const auto with = inference.posterior(window, wide_prior()).moments();
+  inference.forget_baseline();
+  const auto again = inference.posterior(window, wide_prior()).moments();
+  // Without a baseline the offset's 0.1 N m is in the estimate, with it the stiction's 0.01 and what noise leaves of
+  // the offset: 0.03 / sqrt(5) in 200 ms.
+  CHECK(with.standard_deviation()[0] < 0.4 * without.standard_deviation()[0]);
+  CHECK(again.mean == without.mean);
+  CHECK(again.covariance == without.covariance);
+  const Eigen::Vector4d error = with.mean - payload.vector();
+  CHECK((error.cwiseQuotient(with.standard_deviation())).cwiseAbs().maxCoeff() < 4);
+}
+
+TEST_CASE("EventInference: a setting out of range is refused by name", "[event_inference]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH(inference_of({}), contains("EstimatorConfig::sensors"));
+  Model model = Model::link_side();
+  model.offset[3] = 0;
+  CHECK_THROWS_WITH(inference_of({Model::link_side(), model}), contains("SensorModel::offset"));
+  const std::vector<Model> models = {Model::link_side()};
+  for (const double bad : {0.0, -1.0, nan}) {
+    CHECK_THROWS_WITH(Inference(kPeriod, models, {bad, 1}, {}), contains("PushPrior::force"));
+    CHECK_THROWS_WITH(Inference(kPeriod, models, {1, bad}, {}), contains("PushPrior::moment"));
+  }
+  CHECK_THROWS_WITH(Inference(kPeriod, models, {}, {0, 1e-4}), contains("VariationalInferenceConfig::max_iterations"));
+}
+
+TEST_CASE("EventInference: what cannot be inferred leaves the average empty and the verdict unchanged",
+          "[event_inference]") {
+  Bench bench(114, Model::link_side());
+  const Inference inference = default_inference();
+  auto prior = wide_prior();
+  prior.covariance.setZero();
+  const auto window = bench.window({1.0, {0, 0, 0.1}});
+  CHECK(inference.posterior(window, prior).empty());
+  const auto verdict = inference.judge(window, prior, {}, bench.jacobian());
+  CHECK_FALSE(verdict.is_payload());
+  CHECK(verdict.unchanged > verdict.push);
+}
+
+using Statistics = Inference::Statistics;
+static_assert(noexcept(std::declval<Inference&>().learn_baseline(std::declval<const Statistics&>())));
+static_assert(noexcept(std::declval<Inference&>().forget_baseline()));
+static_assert(noexcept(std::declval<const Inference&>().posterior(
+    std::declval<const Statistics&>(), std::declval<const rme::PayloadGaussian<double>&>())));
+static_assert(noexcept(std::declval<const Inference&>().judge(std::declval<const Statistics&>(),
+                                                              std::declval<const rme::PayloadGaussian<double>&>(),
+                                                              std::declval<const Payload&>(),
+                                                              std::declval<const rme::Jacobian<double, 7>&>())));
+
+}  // namespace
