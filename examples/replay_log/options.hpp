@@ -27,17 +27,23 @@ constexpr const char* kReplayUsage =
 class ReplayPrior {
  public:
   ReplayPrior() = default;
-  explicit ReplayPrior(const std::string& weights_file)
-      : network_(std::make_shared<const MismatchNetwork<float>>(
-            model_from_json<float>(read_json_file(weights_file)).weights)),
-        prior_(*network_) {}
+  /// The network that a weights file holds, fed with the pseudo-wrench damping that the file's "training" names (the
+  /// published one if it names none).
+  explicit ReplayPrior(const std::string& weights_file) {
+    const auto model = model_from_json<double>(read_json_file(weights_file));
+    NetworkPriorConfig<double> config;
+    const auto damping = model.training.find("damping");
+    if (damping != model.training.end() && damping->is_number()) config.damping = damping->get<double>();
+    network_ = std::make_shared<const MismatchNetwork<double>>(model.weights);
+    prior_.emplace(*network_, 1e-3, config);
+  }
 
   PayloadGaussian<double> operator()(const SampleWindow<double, 7>& window, std::size_t count) const noexcept {
     return prior_ ? (*prior_)(window, count) : FixedPrior<double>()(window, count);
   }
 
  private:
-  std::shared_ptr<const MismatchNetwork<float>> network_;
+  std::shared_ptr<const MismatchNetwork<double>> network_;
   std::optional<NetworkPrior<double>> prior_;
 };
 

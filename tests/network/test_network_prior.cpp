@@ -1,6 +1,6 @@
 #include <memory>
 #include <random>
-#include <rme/network_prior.hpp>
+#include <rme/network/network_prior.hpp>
 
 #include "network/golden.hpp"
 #include "support/catch.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
-#include <rme/estimator.hpp>
+#include <rme/inference/fixed_prior.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/network/mismatch_network.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
@@ -15,16 +15,15 @@ namespace rme {
 /// Settings of NetworkPrior.
 template <typename Scalar>
 struct NetworkPriorConfig {
-  /// How far the network is usually off: standard deviations of (m [kg], r_x, r_y, r_z [m]), each > 0. The defaults
-  /// are the errors of examples/models/panda.json on payloads and poses that it has not seen, rounded up.
-  Vector4<Scalar> standard_deviation = {Scalar(0.08), Scalar(0.03), Scalar(0.03), Scalar(0.045)};
+  /// Standard deviations around the guess (m [kg], r_x, r_y, r_z [m]), each > 0. The published mass, since the window
+  /// itself settles that; the centre of mass by how far the network is usually off.
+  Vector4<Scalar> standard_deviation = {Scalar(0.5), Scalar(0.03), Scalar(0.03), Scalar(0.05)};
   /// A window with a sample further than this many standard deviations of the training data from their mean is none
   /// that the network has learned from, and `unknown` is the prior; > 0.
   Scalar farthest = Scalar(4);
-  FixedPrior<Scalar> unknown;  ///< the prior where the network cannot be asked
-  double spacing = 0.01;       ///< between the samples that the network sees [s], > 0
-  Scalar damping =
-      Scalar(0.001);  ///< lambda of the pseudo-wrench, as in training, > 0; examples/models/panda.json's by default
+  FixedPrior<Scalar> unknown;     ///< the prior where the network cannot be asked
+  double spacing = 0.01;          ///< between the samples that the network sees [s], > 0
+  Scalar damping = Scalar(0.01);  ///< lambda of the pseudo-wrench, as in training, > 0; the published one by default
 };
 
 /// A prior source for Estimator: a Gaussian centred on the network's output. A payload far outside the training
