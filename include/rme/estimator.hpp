@@ -372,7 +372,7 @@ void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
   std::size_t collected = std::min(window_.size(), collected_);
   if (triggered_) {  // the weight may have come after the trigger
     const Onset<Scalar> onset = find_onset(window_, collected, ticks_of(config_.onset_span));
-    if (is_onset(onset)) collected = onset.age + 1;
+    if (is_onset(onset)) collected = onset.age + 1 - std::min(onset.age, ticks_of(config_.onset_guard));
   } else if (restarts_ < kMaxRestarts && unrest(window_, collected) > Scalar(config_.unrest)) {
     ++restarts_;  // something else happens meanwhile: wait until it is over
     collected_ = onset_age_ = 0;

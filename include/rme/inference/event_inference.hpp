@@ -61,6 +61,11 @@ class EventInference {
   /// @param jacobian  J of the settled window
   Verdict<Scalar> judge(const Statistics& settled, const Statistics& event, const PayloadGaussian<Scalar>& prior,
                         const Payload<Scalar>& before, const Jacobian<Scalar, Dofs>& jacobian) const noexcept;
+  /// The same where the settled samples are all there is.
+  Verdict<Scalar> judge(const Statistics& settled, const PayloadGaussian<Scalar>& prior, const Payload<Scalar>& before,
+                        const Jacobian<Scalar, Dofs>& jacobian) const noexcept {
+    return judge(settled, settled, prior, before, jacobian);
+  }
 
  private:
   /// Posterior and log evidence of one sensor model. @return whether the inference succeeded

@@ -78,9 +78,9 @@ SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::link_side() {
 template <typename Scalar, int Dofs>
 SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::joint_friction() {
   SensorModel model;
-  model.noise = graded(0.085, 0.05);  // of the friction, mostly: Coulomb's law is not all of it
+  model.noise = graded(0.08, 0.05);  // of the friction, mostly: Coulomb's law is not all of it
   model.offset = graded(0.1, 0.05);
-  model.stiction = graded(0.08, 0.035);
+  model.stiction = graded(0.1, 0.05);
   model.coulomb_mean = graded(0.2, 0.075);
   model.coulomb_std = graded(0.06, 0.03);
   model.viscous_mean = graded(0.08, 0.03);
