@@ -42,11 +42,13 @@ class Bench {
     o.direction = normal().cwiseSign();
     const Torque constant = o.regressor.torque(payload) + jacobian_.topRows<3>().transpose() * push + offset_ +
                             model_.stiction.cwiseProduct(normal()) - coulomb_.cwiseProduct(o.direction);
-    // White noise of a size that tells as much as the model's noise with its memory does.
-    const Torque deviation = model_.precision(kPeriod).cwiseInverse().cwiseSqrt();
+    // Noise with a memory: e^(-dt / T) of it is left after dt, its deviation is the model's.
+    const double memory = std::exp(-kPeriod / model_.noise_correlation_time);
+    Torque noise = model_.noise.cwiseProduct(normal());
     Inference::Statistics sums;
     for (int t = 0; t < 200; ++t) {
-      o.tau = constant + deviation.cwiseProduct(normal());
+      o.tau = constant + noise;
+      noise = memory * noise + std::sqrt(1 - memory * memory) * model_.noise.cwiseProduct(normal());
       sums.add(o);
     }
     return sums;
@@ -77,6 +79,7 @@ TEST_CASE("EventInference: an object, an empty hand, a push and nothing at all a
   CAPTURE(seed);
   const Payload before{0.8, {0.03, -0.02, 0.1}}, after{1.5, {-0.02, 0.04, 0.12}};
   const Eigen::Vector3d sideways(10, -6, 0);  // no weight pulls across gravity
+  int false_alarms = 0;
   for (unsigned k = 0; k < 50; ++k) {
     CAPTURE(k);
     Bench bench(seed + k, Model::link_side());
@@ -107,11 +110,14 @@ TEST_CASE("EventInference: an object, an empty hand, a push and nothing at all a
       CHECK((verdict.log_odds() > 0) == changed);
       if (changed) CHECK(verdict.is_empty() == (c.now.mass == 0));
     }
-    // An empty hand that stays empty: both say the same, and a change needs more.
+    // An empty hand that stays empty: both words for it say the same. A payload of next to nothing explains it as well
+    // up to the price of 0.6 kg of prior where the data tell 0.01: odds of 1 to 60 unless noise of 2.9 deviations
+    // helps.
     const auto nothing = judge({}, {}, none);
     CHECK(nothing.empty == nothing.unchanged);
-    CHECK_FALSE(nothing.is_payload());
+    if (nothing.is_payload()) ++false_alarms;
   }
+  CHECK(false_alarms <= 2);
 }
 
 TEST_CASE("EventInference: several sensor models give the mixture of what each says alone", "[event_inference]") {
