@@ -60,7 +60,8 @@ class Host {
         limits_(limits_config(model, config.margin)),
         cpic_(cpic_config(model)),
         ramp_(config.period),
-        disturbance_(config.period, {Vector::Constant(400)}) {}
+        disturbance_(config.period, {Vector::Constant(400)}),
+        limit_(model.tau_max) {}
 
   /// What to compensate from the next tick on.
   void set_estimate(const Payload<double>& estimate) noexcept { estimate_ = estimate; }
@@ -99,7 +100,8 @@ class Host {
     }
     status_ = cpic_.update(input, rows_);
     if (status_ == Status::NonFiniteInput || status_ == Status::NotPositiveDefinite) return torque_;
-    torque_ = cpic_.torque() + input.other_torque;
+    // Within the limits already, but for the last bit of this sum.
+    torque_ = (cpic_.torque() + input.other_torque).cwiseMax(-limit_).cwiseMin(limit_);
     return torque_;
   }
 
@@ -151,6 +153,7 @@ class Host {
   Cpic<double, 7, 8> cpic_;
   CompensationRamp<double, 7> ramp_;
   MomentumObserver<double, 7> disturbance_;
+  Vector limit_;  // of the torques [N m]
   ConstraintRows<double, 7, 8> rows_;
   Eigen::Matrix<double, 3, 7> last_ = Eigen::Matrix<double, 3, 7>::Zero();
   bool started_ = false;

@@ -1,10 +1,16 @@
 #pragma once
 /// The command-line options that every program which replays logs understands.
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <rme/estimator_json.hpp>
+#include <rme/network/json.hpp>
+#include <rme/network/network_prior.hpp>
 #include <string>
 
 #include "io/arguments.hpp"
 #include "replay_log/replay.hpp"
+#include "run_network/json_file.hpp"
 
 namespace rme::examples {
 
@@ -12,29 +18,81 @@ constexpr const char* kReplayUsage =
     "  --at T              estimate from the samples [T, T + window), whatever the detector says [s]\n"
     "  --window S          how long samples are collected [s] (0.2)\n"
     "  --baseline B        auto (default), none, or T0:T1, when the hand is known to be empty [s]\n"
+    "  --config C.json     settings of the estimator (rme/estimator_json.hpp); other options go before them\n"
+    "  --weights W.json    a network's guess as the prior, in place of the fixed one\n"
     "  --preset NAME       sensing of the arm: unknown (default), link_side, joint_friction\n"
     "  --detector NAME     robust (default), or published: Algorithm 1 to the letter\n";
 
+/// The prior that the command line asks for: a network's guess, or the fixed one.
+class ReplayPrior {
+ public:
+  ReplayPrior() = default;
+  /// The network that a weights file holds, fed with the pseudo-wrench damping that the file's "training" names (the
+  /// published one if it names none).
+  explicit ReplayPrior(const std::string& weights_file) {
+    const auto model = model_from_json<double>(read_json_file(weights_file));
+    NetworkPriorConfig<double> config;
+    const auto damping = model.training.find("damping");
+    if (damping != model.training.end() && damping->is_number()) config.damping = damping->get<double>();
+    network_ = std::make_shared<const MismatchNetwork<double>>(model.weights);
+    prior_.emplace(*network_, 1e-3, config);
+  }
+
+  PayloadGaussian<double> operator()(const SampleWindow<double, 7>& window, std::size_t count) const noexcept {
+    return prior_ ? (*prior_)(window, count) : FixedPrior<double>()(window, count);
+  }
+
+ private:
+  std::shared_ptr<const MismatchNetwork<double>> network_;
+  std::optional<NetworkPrior<double>> prior_;
+};
+
+/// All that the options below say.
+struct ReplayRequest {
+  ReplayOptions options;
+  ReplayPrior prior;
+};
+
+/// What `make` returns; its errors name the file.
+template <typename Make>
+auto named(const std::string& file, Make&& make) {
+  try {
+    return make();
+  } catch (const std::invalid_argument& error) {
+    throw ArgumentError(file + ": " + error.what());
+  }
+}
+
 /// Takes the options above out of `arguments`.
 /// @throws ArgumentError naming what is wrong
-inline ReplayOptions parse_replay_options(Arguments& arguments) {
-  ReplayOptions options;
+inline ReplayRequest parse_replay_options(Arguments& arguments) {
+  ReplayRequest request;
+  ReplayOptions& options = request.options;
   auto& estimator = options.estimator;
+  if (const auto file = arguments.text("--config"))
+    estimator = named(*file, [&] { return estimator_config_from_json<double, 7>(read_json_file(*file)); });
+  if (const auto file = arguments.text("--weights")) request.prior = named(*file, [&] { return ReplayPrior(*file); });
   options.at = arguments.number("--at");
   estimator.collection = arguments.number("--window").value_or(estimator.collection);
-  const std::string preset = arguments.text("--preset").value_or("unknown");
+  const std::string preset = arguments.text("--preset").value_or("");
   if (preset == "link_side")
     estimator.sensors = {SensorModel<double, 7>::link_side()};
   else if (preset == "joint_friction")
     estimator.sensors = {SensorModel<double, 7>::joint_friction()};
-  else if (preset != "unknown")
+  else if (preset == "unknown")
+    estimator.sensors = EstimatorConfig<double, 7>().sensors;
+  else if (!preset.empty())
     throw ArgumentError("--preset: \"" + preset + "\" is none of unknown, link_side, joint_friction");
-  const std::string detector = arguments.text("--detector").value_or("robust");
+  const std::string detector = arguments.text("--detector").value_or("");
   if (detector == "published") {
     estimator.detector = MismatchDetectorConfig::published();
     estimator.watch_norm = true;
   }
-  if (detector != "published" && detector != "robust")
+  if (detector == "robust") {
+    estimator.detector = MismatchDetectorConfig();
+    estimator.watch_norm = false;
+  }
+  if (detector != "published" && detector != "robust" && !detector.empty())
     throw ArgumentError("--detector: \"" + detector + "\" is none of robust, published");
   const std::string baseline = arguments.text("--baseline").value_or("auto");
   if (baseline == "none") {
@@ -54,7 +112,7 @@ inline ReplayOptions parse_replay_options(Arguments& arguments) {
       std::max(estimator.window.duration, estimator.detector.window + std::max(estimator.collection, tare) + 0.5);
   if (estimator.window.duration > 60) throw ArgumentError("--window and --baseline must be shorter than a minute");
   estimator.validate(1e-3);
-  return options;
+  return request;
 }
 
 }  // namespace rme::examples

@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 /// What the command line asks for.
 struct Request {
   std::string log;
-  ReplayOptions options;
+  ReplayRequest replay;
   bool json = false;
 };
 
@@ -27,7 +27,7 @@ Request parse(int argc, char** argv) {
   Arguments arguments(argc, argv);
   Request request;
   request.json = arguments.flag("--json");
-  request.options = parse_replay_options(arguments);
+  request.replay = parse_replay_options(arguments);
   request.log = arguments.positional("LOG.csv");
   arguments.finish();
   return request;
@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
                   "y [mm]", "z [mm]", "took[us]");
     }
     const ReplaySummary summary =
-        replay(log, request.options, rme::FixedPrior<double>(), [&request](const auto& happened) {
+        replay(log, request.replay.options, request.replay.prior, [&request](const auto& happened) {
           if (request.json)
             std::cout << to_json(happened).dump() << "\n";
           else

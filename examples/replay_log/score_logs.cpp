@@ -34,7 +34,7 @@ struct Scores {
   int rejected = 0;
 };
 
-void score(const Log<7>& log, const ReplayOptions& options, Scores& scores) {
+void score(const Log<7>& log, const ReplayRequest& request, Scores& scores) {
   std::vector<std::size_t> changes;  // rows at which the truth changes; what a log starts with is no event
   for (std::size_t i = 1; i < log.size(); ++i)
     if (log.truth[i] != log.truth[i - 1]) changes.push_back(i);
@@ -59,7 +59,7 @@ void score(const Log<7>& log, const ReplayOptions& options, Scores& scores) {
     s.across = (s.error.tail<3>() - down * down.dot(s.error.tail<3>())).norm();
     scores.found.push_back(s);
   };
-  replay(log, options, rme::FixedPrior<double>(), [&](const auto& happened) {
+  replay(log, request.options, request.prior, [&](const auto& happened) {
     if constexpr (std::is_same_v<decltype(happened), const ReplayedEstimate&>)
       on_estimate(happened);
     else
@@ -106,7 +106,7 @@ void print(const Scores& scores) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ReplayOptions options;
+  ReplayRequest request;
   std::vector<std::string> names;
   bool verbose = false;
   std::optional<double> at_attach;
@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
     Arguments arguments(argc, argv);
     verbose = arguments.flag("--verbose");
     at_attach = arguments.number("--at-attach");
-    options = parse_replay_options(arguments);
+    request = parse_replay_options(arguments);
     do names.push_back(arguments.positional("LOG.csv"));
     while (!arguments.empty());
   } catch (const std::exception& error) {
@@ -134,10 +134,10 @@ int main(int argc, char** argv) {
         std::size_t row = 1;
         while (row < log.size() && log.truth[row] == log.truth[row - 1]) ++row;
         if (row == log.size()) throw LogError(name + ": the truth never changes");
-        options.at = log.t[row] + *at_attach;
+        request.options.at = log.t[row] + *at_attach;
       }
       const std::size_t before = scores.found.size();
-      score(log, options, scores);
+      score(log, request, scores);
       if (!verbose) continue;
       std::printf("%s\n", name.c_str());
       for (std::size_t i = before; i < scores.found.size(); ++i) {

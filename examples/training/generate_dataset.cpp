@@ -8,6 +8,7 @@
 //     --windows N        windows of each (default 4)
 //     --seed N           (default 1)
 //     --pose ready|any   N(0, 0.1 rad) around the ready pose, or anywhere (default any)
+//     --damping X        lambda of the pseudo-wrench (default 1e-2)
 //     --threads N        (default: all cores)
 //
 // FILE: one line of JSON that names the columns, then 32-bit floats, row after row, little-endian; train.py reads it.
@@ -39,7 +40,6 @@ constexpr int kSamples = 20, kStride = 10;    // the newest of each 10 ms
 constexpr int kQuiet = 500, kBaseline = 100;  // before the attach, the last of it is the baseline [ms]
 constexpr int kLatestStart = 600;             // of a window, after the attach [ms]
 constexpr int kAfter = kLatestStart + kSamples * kStride;
-constexpr double kDamping = 1e-2;
 
 constexpr const char* kColumns =
     R"({"columns": [["world", [20, 6]], ["end_effector", [20, 6]], ["baseline_world", [6]], )"
@@ -49,6 +49,7 @@ struct Settings {
   int events = 1000, windows = 4;
   std::uint64_t seed = 1;
   bool any_pose = true;
+  double damping = 1e-2;
 };
 
 /// Pseudo-wrench at one instant, in both frames.
@@ -56,9 +57,9 @@ struct Wrenches {
   Vector6 world, end_effector;
 };
 
-Wrenches wrenches(const SyntheticArm<7>& arm) {
+Wrenches wrenches(const SyntheticArm<7>& arm, double damping) {
   rme::Wrench<double> world;
-  if (rme::pseudo_wrench<double, 7>(arm.kinematics().jacobian, arm.tau_ext(), kDamping, world) != rme::Status::Ok)
+  if (rme::pseudo_wrench<double, 7>(arm.kinematics().jacobian, arm.tau_ext(), damping, world) != rme::Status::Ok)
     throw std::runtime_error("the simulated arm reports nonsense");
   return {world.vector(), rme::in_end_effector_axes<double>(world, arm.kinematics().rotation).vector()};
 }
@@ -131,7 +132,7 @@ std::vector<float> Event::rows(const Settings& settings, int index) {
   for (int k = 0; k < kQuiet; ++k) {
     tick();
     if (k < kQuiet - kBaseline) continue;
-    const Wrenches w = wrenches(arm);
+    const Wrenches w = wrenches(arm, settings.damping);
     baseline.world += w.world / kBaseline;
     baseline.end_effector += w.end_effector / kBaseline;
   }
@@ -139,7 +140,7 @@ std::vector<float> Event::rows(const Settings& settings, int index) {
   std::vector<Wrenches> felt;
   for (int k = 0; k < kAfter; ++k) {
     tick();
-    felt.push_back(wrenches(arm));
+    felt.push_back(wrenches(arm, settings.damping));
     if (controller.position_error(arm.kinematics()).norm() > 0.3 ||
         (arm.dq().array().abs() > model.dq_max.array()).any())
       return {};
@@ -190,7 +191,8 @@ bool generate(const Settings& settings, const std::string& path, unsigned thread
 
   std::ofstream file(path, std::ios::binary);
   file << kColumns << R"("rows": )" << settings.events * settings.windows << R"(, "events": )" << settings.events
-       << R"(, "seed": )" << settings.seed << R"(, "pose": ")" << (settings.any_pose ? "any" : "ready") << "\"}\n";
+       << R"(, "seed": )" << settings.seed << R"(, "pose": ")" << (settings.any_pose ? "any" : "ready")
+       << R"(", "damping": )" << settings.damping << "}\n";
   for (const std::vector<float>& event : rows) {
     file.write(reinterpret_cast<const char*>(event.data()), static_cast<std::streamsize>(event.size() * sizeof(float)));
   }
@@ -218,12 +220,16 @@ int main(int argc, char** argv) {
     const std::string pose = arguments.text("--pose").value_or("any");
     if (pose != "any" && pose != "ready") throw ArgumentError("--pose: expected any or ready");
     settings.any_pose = pose == "any";
+    settings.damping = arguments.number("--damping").value_or(settings.damping);
+    if (!(settings.damping > 0)) throw ArgumentError("--damping: expected a number > 0");
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     threads = static_cast<unsigned>(whole(arguments, "--threads", static_cast<int>(cores)));
     path = arguments.positional("FILE");
     arguments.finish();
   } catch (const ArgumentError& error) {
-    std::fprintf(stderr, "%s\nusage: %s FILE [--events N] [--windows N] [--seed N] [--pose ready|any] [--threads N]\n",
+    std::fprintf(stderr,
+                 "%s\nusage: %s FILE [--events N] [--windows N] [--seed N] [--pose ready|any] "
+                 "[--damping X] [--threads N]\n",
                  error.what(), argv[0]);
     return 2;
   }

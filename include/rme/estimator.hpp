@@ -10,6 +10,7 @@
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/event_inference.hpp>
+#include <rme/inference/fixed_prior.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_statistics.hpp>
 #include <rme/inference/sensor_model.hpp>
@@ -67,6 +68,7 @@ struct EstimatorConfig {
   double baseline_guard = 0.02;   ///< between the quiet window and the change [s], >= 0
   double onset_span = 0.01;       ///< of the means whose difference finds the instant of the change [s], > 0
   double onset_jump = 0.4;        ///< a smaller step is no onset [N m], > 0
+  double onset_guard = 0.04;      ///< after the change: samples left out while the observer catches up [s], >= 0
   double unrest = 0.8;            ///< a collection in which the torque changes by more starts again [N m], > 0
   double gyration_radius = 0.03;  ///< of a payload about its own centre of mass, roughly [m], >= 0
   PushPrior push;                 ///< what a change may be that is no payload
@@ -74,19 +76,6 @@ struct EstimatorConfig {
 
   /// @throws std::invalid_argument naming the field out of range
   void validate(double dt) const;
-};
-
-/// The prior that needs no training: what hands usually pick up.
-template <typename Scalar>
-struct FixedPrior {
-  PayloadGaussian<Scalar> gaussian = PayloadGaussian<Scalar>::independent(
-      {Scalar(0.8), Scalar(0), Scalar(0), Scalar(0.1)}, {Scalar(0.6), Scalar(0.05), Scalar(0.05), Scalar(0.06)});
-
-  /// A prior source: called once per estimate with the window, whose newest `count` samples were collected.
-  template <int Dofs>
-  PayloadGaussian<Scalar> operator()(const SampleWindow<Scalar, Dofs>&, std::size_t /*count*/) const noexcept {
-    return gaussian;
-  }
 };
 
 /// An estimate and where it comes from. Times count from the estimator's construction or reset [s].
@@ -166,7 +155,11 @@ class Estimator {
   bool is_onset(const Onset<Scalar>& onset) const noexcept {
     return onset.sharp() && onset.jump > static_cast<Scalar>(config_.onset_jump);
   }
-  Eigen::Matrix<double, Dofs, 1> watched() const noexcept;
+  using Signal = Eigen::Matrix<double, Dofs, 1>;
+  Signal watched(std::size_t age) const noexcept;
+  Signal level(std::size_t newest) const noexcept;
+  bool changed() noexcept;
+  void remember_quiet(std::size_t quiet_age) noexcept;
   PayloadRegressor<Scalar, Dofs> regressor(const Sample<Scalar, Dofs>& sample,
                                            const Vector3<Scalar>& com) const noexcept {
     return payload_regressor<Scalar, Dofs>(sample.raw.jacobian, sample.raw.rotation, config_.gravity, sample.motion,
@@ -183,6 +176,7 @@ class Estimator {
   MismatchDetector<Dofs> detector_;
   SampleWindow<Scalar, Dofs> window_;
   EventInference<Scalar, Dofs> inference_;
+  int block_ = 1;  // ticks that are averaged before they enter the sums
   Phase phase_ = Phase::Watching;
   Estimate<Scalar> estimate_;
   Verdict<Scalar> verdict_;
@@ -196,6 +190,8 @@ class Estimator {
   bool rejected_ = false;
   bool pushed_ = false;  // the last change was a push: what follows it is no baseline
   double detected_at_ = 0;
+  bool changing_ = false;                 // a change has begun; it may not have settled yet
+  Signal level_before_ = Signal::Zero();  // of the watched signal, before it
 };
 
 template <typename Scalar, int Dofs>
@@ -208,6 +204,7 @@ void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
   detail::require(baseline_guard >= 0, "EstimatorConfig::baseline_guard", ">= 0 s", baseline_guard);
   detail::require(onset_span >= dt, "EstimatorConfig::onset_span", ">= 1 sample [s]", onset_span);
   detail::require(onset_jump > 0, "EstimatorConfig::onset_jump", "> 0 N m", onset_jump);
+  detail::require(onset_guard >= 0, "EstimatorConfig::onset_guard", ">= 0 s", onset_guard);
   detail::require(unrest > 0, "EstimatorConfig::unrest", "> 0 N m", unrest);
   detail::require(gyration_radius >= 0, "EstimatorConfig::gyration_radius", ">= 0 m", gyration_radius);
   detail::require(detector.window > 0, "MismatchDetectorConfig::window", "> 0 s", detector.window);
@@ -223,7 +220,12 @@ Estimator<Scalar, Dofs, PriorSource>::Estimator(double dt, const Config& config,
       dt_(dt),
       detector_(dt, config.detector),
       window_(dt, config.window),
-      inference_(Scalar(dt), config.sensors, config.push, config.inference) {}
+      inference_(Scalar(dt), config.sensors, config.push, config.inference) {
+  double shortest = config.collection;
+  for (const auto& sensor : config.sensors)
+    shortest = std::min(shortest, 2 * static_cast<double>(sensor.noise_correlation_time));
+  block_ = static_cast<int>(std::max<std::size_t>(1, ticks_of(shortest)));
+}
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::reset() noexcept {
@@ -235,7 +237,7 @@ void Estimator<Scalar, Dofs, PriorSource>::reset() noexcept {
   verdict_ = Verdict<Scalar>();
   detected_at_ = 0;
   ticks_ = 0;
-  tared_ = pushed_ = rejected_ = false;
+  tared_ = pushed_ = rejected_ = changing_ = false;
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -252,20 +254,54 @@ Status Estimator<Scalar, Dofs, PriorSource>::update(const Proprioception<Scalar,
     if (++collected_ >= ticks_of(config_.collection)) make_estimate();
     return Status::Ok;
   }
-  if (detector_.update(watched()) == Status::Ok && detector_.detected()) begin_collection(false);
+  if (detector_.update(watched(0)) == Status::Ok && changed()) begin_collection(false);
   return Status::Ok;
 }
 
-/// The signal in which changes are looked for. When a loaded arm moves its torque changes without any event, and when
-/// compensation sets in it is the payload's inertia that shows, so the known payload's share is taken off.
+/// Whether something has changed and settled. A compliant arm sags under a heavy payload for longer than the detector
+/// looks back: what was before is therefore remembered as soon as the change begins.
 template <typename Scalar, int Dofs, typename PriorSource>
-Eigen::Matrix<double, Dofs, 1> Estimator<Scalar, Dofs, PriorSource>::watched() const noexcept {
-  const Sample<Scalar, Dofs>& newest = window_.newest();
+bool Estimator<Scalar, Dofs, PriorSource>::changed() noexcept {
+  if (detector_.rapid_change() && !changing_) {
+    const std::size_t span = ticks_of(config_.onset_span), window = ticks_of(config_.detector.window);
+    const Onset<Scalar> onset = find_onset(window_, window + 2 * span, span);
+    remember_quiet(is_onset(onset) ? onset.age + 1 : window);
+    changing_ = true;
+  }
+  if (!changing_ || !detector_.stabilised()) return false;
+  if (detector_.rapid_change()) return true;
+  changing_ = (level(0) - level_before_).norm() > config_.detector.activation_threshold;  // or all is as it was
+  return changing_;
+}
+
+/// Learns from the quiet past, whose newest sample that is sure to be quiet has this age.
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::remember_quiet(std::size_t quiet_age) noexcept {
+  quiet_age += ticks_of(config_.baseline_guard);
+  level_before_ = level(quiet_age);
+  if (estimate_.empty && !tared_ && !pushed_) learn_baseline(quiet_age, ticks_of(config_.baseline));
+}
+
+/// Mean of the watched signal over the span whose newest sample has this age.
+template <typename Scalar, int Dofs, typename PriorSource>
+auto Estimator<Scalar, Dofs, PriorSource>::level(std::size_t newest) const noexcept -> Signal {
+  const std::size_t count = std::max<std::size_t>(1, ticks_of(config_.detector.check_average));
+  Signal sum = Signal::Zero();
+  for (std::size_t i = 0; i < count; ++i) sum += watched(std::min(newest + i, window_.size() - 1));
+  return sum / static_cast<double>(count);
+}
+
+/// The signal in which changes are looked for, `age` ticks ago. When a loaded arm moves its torque changes without any
+/// event, and when compensation sets in it is the payload's inertia that shows, so the known payload's share is taken
+/// off.
+template <typename Scalar, int Dofs, typename PriorSource>
+auto Estimator<Scalar, Dofs, PriorSource>::watched(std::size_t age) const noexcept -> Signal {
+  const Sample<Scalar, Dofs>& sample = window_.newest(age);
   if (config_.watch_norm)  // in one channel; the others stay zero
-    return Eigen::Matrix<double, Dofs, 1>::Unit(0) * static_cast<double>(newest.raw.tau_ext.norm());
-  if (estimate_.empty) return newest.tau.template cast<double>();
+    return Signal::Unit(0) * static_cast<double>(sample.raw.tau_ext.norm());
+  if (estimate_.empty) return sample.tau.template cast<double>();
   const Payload<Scalar> payload = estimate_.payload();
-  return (newest.tau - regressor(newest, payload.com).torque(payload)).template cast<double>();
+  return (sample.tau - regressor(sample, payload.com).torque(payload)).template cast<double>();
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -281,8 +317,7 @@ void Estimator<Scalar, Dofs, PriorSource>::tare(double duration) noexcept {
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noexcept {
-  const bool interrupted =
-      phase_ == Phase::Collecting;  // its baseline is from before the change; a new one might not be
+  const bool interrupted = phase_ == Phase::Collecting;
   phase_ = Phase::Collecting;
   collected_ = 0;
   onset_age_ = 0;
@@ -296,10 +331,12 @@ void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noex
   std::size_t quiet_age = triggered ? 0 : ticks_of(config_.detector.window);
   if (is_onset(onset)) {
     quiet_age = onset.age + 1;
-    if (!triggered) onset_age_ = quiet_age;
+    if (!triggered) onset_age_ = quiet_age - std::min(quiet_age, ticks_of(config_.onset_guard));
   }
-  if (estimate_.empty && !tared_ && !interrupted && !pushed_)
-    learn_baseline(quiet_age + ticks_of(config_.baseline_guard), ticks_of(config_.baseline));
+  // The baseline of an interrupted collection, or of a change that has been seen to begin, is from before the change;
+  // a new one might not be.
+  if (!interrupted && !changing_) remember_quiet(quiet_age);
+  changing_ = false;
 }
 
 /// The nuisances of the coming event, from `count` samples of an empty hand, the newest of them of age `newest`.
@@ -312,19 +349,23 @@ void Estimator<Scalar, Dofs, PriorSource>::learn_baseline(std::size_t newest, st
     inference_.forget_baseline();
 }
 
-/// Sums over the samples of ages oldest - 1 down to newest.
+/// Sums over the samples of ages oldest - 1 down to newest, in means over as long as the noise of SensorModel stays the
+/// same. What varies from tick to tick is averaged out there: it would look like noise of another kind, and the
+/// evidence of the sensor models would be about that.
 template <typename Scalar, int Dofs, typename PriorSource>
 PayloadStatistics<Scalar, Dofs> Estimator<Scalar, Dofs, PriorSource>::statistics(
     std::size_t oldest, std::size_t newest, const Vector3<Scalar>& com_guess) const noexcept {
   Statistics sums;
+  PayloadObservation<Scalar, Dofs> mean;
+  int ticks = 0;
   for (std::size_t age = oldest; age-- > newest;) {
     const Sample<Scalar, Dofs>& s = window_.newest(age);
-    PayloadObservation<Scalar, Dofs> o;
-    o.tau = s.tau;
-    o.regressor = regressor(s, com_guess);
-    o.direction = s.direction;
-    o.velocity = s.raw.dq;
-    sums.add(o);
+    mean += {s.tau, regressor(s, com_guess), s.direction, s.raw.dq};
+    if (++ticks < block_ && age > newest) continue;
+    mean *= Scalar(1) / Scalar(ticks);
+    sums.add(mean, ticks);
+    mean = PayloadObservation<Scalar, Dofs>();
+    ticks = 0;
   }
   return sums;
 }
@@ -347,8 +388,10 @@ void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
 
   // Payload or push is judged by the samples after the change has settled.
   Vector3<Scalar> com_guess = prior.mean.template tail<3>();
-  Statistics sums = statistics(collected, 0, com_guess);
-  verdict_ = inference_.judge(sums, prior, estimate_.payload(), window_.newest().raw.jacobian);
+  const Statistics settled = statistics(collected, 0, com_guess);
+  Statistics sums = statistics(count, collected, com_guess);
+  sums += settled;
+  verdict_ = inference_.judge(settled, sums, prior, estimate_.payload(), window_.newest().raw.jacobian);
   if (!triggered_ && !verdict_.is_payload()) {
     rejected_ = true;
     pushed_ = verdict_.push > verdict_.unchanged;
@@ -356,7 +399,6 @@ void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
   }
   // The estimate is made from all of them. The inertia force is expanded about a centre of mass: first the prior's,
   // then the one found.
-  sums += statistics(count, collected, com_guess);
   ModelAverage<Scalar> average = inference_.posterior(sums, prior);
   if (average.empty()) return;
   com_guess = average.moments().mean.template tail<3>();

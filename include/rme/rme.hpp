@@ -1,5 +1,5 @@
 #pragma once
-/// All of rme but its JSON form (rme/network/json.hpp, target rme::json).
+/// All of rme but its JSON forms (rme/network/json.hpp and rme/estimator_json.hpp, target rme::json).
 #include <rme/control/active_set_solver.hpp>
 #include <rme/control/barriers.hpp>
 #include <rme/control/compensation.hpp>
@@ -24,6 +24,7 @@
 #include <rme/inference/event_evidence.hpp>
 #include <rme/inference/event_inference.hpp>
 #include <rme/inference/exact_posterior.hpp>
+#include <rme/inference/fixed_prior.hpp>
 #include <rme/inference/model_average.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_likelihood.hpp>
@@ -36,6 +37,7 @@
 #include <rme/network/linear.hpp>
 #include <rme/network/mismatch_network.hpp>
 #include <rme/network/mlp.hpp>
+#include <rme/network/network_prior.hpp>
 #include <rme/network/normalization.hpp>
 #include <rme/network/self_attention.hpp>
 #include <rme/network/weights.hpp>

@@ -10,7 +10,8 @@ namespace oracle {
 /// m^2. The rows are those of joint limits (two-sided) and of random gradients, and a torque that keeps them exists.
 template <int Dofs, int MaxRows>
 struct RandomArm {
-  Matrix pseudo_inverse, null_projector;  // J^+, N
+  Eigen::Matrix<double, Dofs, 6> pseudo_inverse;     // J^+
+  Eigen::Matrix<double, Dofs, Dofs> null_projector;  // N
   rme::CpicInput<double, Dofs> input;
   rme::ConstraintRows<double, Dofs, MaxRows> rows;
   rme::JointVector<double, Dofs> torque_limit;
@@ -53,8 +54,12 @@ struct RandomArm {
     }
   }
 
-  /// Q = 2 (J^+ J^+T + eps N)
-  Matrix hessian(double eps) const { return 2 * (pseudo_inverse * pseudo_inverse.transpose() + eps * null_projector); }
+  /// Q = 2 (J^+ W^2 J^+T + eps N), where W weighs moments by 1 / l
+  Eigen::Matrix<double, Dofs, Dofs> hessian(double eps, double moment_arm = 1) const {
+    Eigen::Matrix<double, Dofs, 6> weighted = pseudo_inverse;
+    weighted.template rightCols<3>() /= moment_arm;
+    return 2 * (weighted * weighted.transpose() + eps * null_projector);
+  }
   /// J^T F_c + N tau_0
   Vector unconstrained() const {
     return input.jacobian.transpose() * input.wrench.vector() + null_projector * input.null_torque;

@@ -81,20 +81,21 @@ TEMPLATE_TEST_CASE_SIG("Cpic: one active row gives the paper's closed form with 
 }
 
 template <int Dofs>
-void check_kkt(unsigned seed, int problems) {
+void check_kkt(unsigned seed, int problems, double moment_arm = 1) {
   CAPTURE(seed);
   std::mt19937 random(seed);
   double worst = 0;
   std::array<int, 24> active{};
   rme::CpicConfig<double, Dofs> config = config_of<Dofs>(RandomArm<Dofs, 28>(random, 0, 0, 0).torque_limit);
+  config.moment_arm = moment_arm;
   rme::Cpic<double, Dofs> cpic(config);
   for (int i = 0; i < problems; ++i) {
     CAPTURE(i);
     const int general = static_cast<int>(random() % 15);
     const RandomArm<Dofs, 28> arm(random, i % 2 == 0 ? Dofs : 0, general, i % 5 == 0 ? 2 : 40);
     REQUIRE(cpic.update(arm.input, arm.rows) == rme::Status::Ok);
-    const auto r = oracle::kkt_residuals(arm.hessian(config.null_space_weight), arm.unconstrained(), cpic.torque(),
-                                         arm.constraints(cpic));
+    const auto r = oracle::kkt_residuals(arm.hessian(config.null_space_weight, moment_arm), arm.unconstrained(),
+                                         cpic.torque(), arm.constraints(cpic));
     CAPTURE(r.stationarity, r.primal, r.dual, r.complementarity);
     REQUIRE(r.worst() < 1e-9);
     worst = std::max(worst, r.worst());
@@ -108,6 +109,7 @@ void check_kkt(unsigned seed, int problems) {
 TEST_CASE("Cpic: random arms meet the KKT conditions of (22)", "[cpic]") {
   check_kkt<6>(4203, 5000);
   check_kkt<7>(4204, 5000);
+  check_kkt<7>(4211, 5000, 0.1);
 }
 
 TEST_CASE("Cpic: a million random arms meet the KKT conditions of (22)", "[.long]") {
@@ -265,6 +267,9 @@ TEST_CASE("Cpic: settings out of range are refused by name", "[cpic]") {
   config.torque_limit.setConstant(10);
   config.null_space_weight = 0;
   CHECK_THROWS_WITH((rme::Cpic<double, 7>(config)), contains("CpicConfig::null_space_weight"));
+  config.null_space_weight = 1;
+  config.moment_arm = 0;
+  CHECK_THROWS_WITH((rme::Cpic<double, 7>(config)), contains("CpicConfig::moment_arm"));
 }
 
 static_assert(noexcept(std::declval<rme::Cpic<double, 7>&>().update(

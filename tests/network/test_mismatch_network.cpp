@@ -3,10 +3,11 @@
 #include <fstream>
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <random>
+#include <rme/network/json.hpp>
 #include <rme/network/mismatch_network.hpp>
 #include <rme/network/mlp.hpp>
+#include <run_network/json_file.hpp>
 
 #include "network/golden.hpp"
 #include "support/catch.hpp"
@@ -99,6 +100,16 @@ TEST_CASE("MismatchNetwork: PyTorch's answers to 1,000 windows, random weights",
   const auto weights = golden::random_weights<double>();
   const double in_double = largest_difference<double>(*weights, "golden_random.json");
   const double in_float = largest_difference<float>(*weights, "golden_random.json");
+  CAPTURE(in_double, in_float);
+  CHECK(in_double <= 1e-10);
+  CHECK(in_float <= 1e-5);
+}
+
+TEST_CASE("MismatchNetwork: PyTorch's answers to 1,000 windows, the shipped weights", "[network]") {
+  const auto model = std::make_unique<rme::MismatchModel<double>>(
+      rme::model_from_json<double>(rme::examples::read_json_file(RME_PANDA_MODEL)));
+  const double in_double = largest_difference<double>(model->weights, "golden_panda.json");
+  const double in_float = largest_difference<float>(model->weights, "golden_panda.json");
   CAPTURE(in_double, in_float);
   CHECK(in_double <= 1e-10);
   CHECK(in_float <= 1e-5);

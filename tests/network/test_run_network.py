@@ -87,7 +87,7 @@ class RunNetwork(unittest.TestCase):
         refused("[1]: expected an array of 20, got an array of 19", [[[0] * 6] * 20, [[0] * 6] * 19])
         refused("[0][19]: expected an array of 6, got an array of 7", [[[0] * 6] * 19 + [[0] * 7]])
         refused("[0][0][5]: expected a number, got null", [[[0] * 5 + [None]] * 20])
-        refused("NaN", "[[[NaN]]]")
+        refused("invalid literal", "[[[NaN]]]")
         refused("1e999", "[[[1e999]]]")
         refused("not finite", [[[1e308] * 6] * 20])
 

@@ -24,6 +24,25 @@ inline Eigen::Vector3d gaussian3(std::mt19937_64& random) {
   return {n(random), n(random), n(random)};
 }
 
+/// A pose of an arm that nobody has built.
+struct Pose {
+  Jacobian<double, kDofs> jacobian;
+  Eigen::Matrix3d rotation;
+};
+
+/// Seven random joint axes within reach of the flange.
+inline Pose random_pose(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> u(-1, 1);
+  Pose pose;
+  for (int j = 0; j < kDofs; ++j) {
+    const Eigen::Vector3d axis = gaussian3(random).normalized();
+    const Eigen::Vector3d lever = 0.4 * Eigen::Vector3d(u(random), u(random), u(random));
+    pose.jacobian.col(j) << axis.cross(lever), axis;
+  }
+  pose.rotation = Eigen::AngleAxisd(3.0 * u(random), gaussian3(random).normalized()).toRotationMatrix();
+  return pose;
+}
+
 /// A payload of 0.2 to 2 kg, CoM within 8 cm across and 20 cm along z; `samples` ticks at rest or swinging gently.
 inline Event random_event(std::mt19937_64& random, int samples = 50, bool friction = false) {
   std::normal_distribution<double> n;
@@ -31,13 +50,7 @@ inline Event random_event(std::mt19937_64& random, int samples = 50, bool fricti
   Event event;
   event.truth << 1.1 + 0.9 * u(random), 0.08 * u(random), 0.08 * u(random), 0.1 + 0.1 * u(random);
   const Payload<double> payload = Payload<double>::from_vector(event.truth);
-  Jacobian<double, kDofs> J;
-  for (int j = 0; j < kDofs; ++j) {  // seven random joint axes within reach of the flange
-    const Eigen::Vector3d axis = gaussian3(random).normalized();
-    const Eigen::Vector3d lever = 0.4 * Eigen::Vector3d(u(random), u(random), u(random));
-    J.col(j) << axis.cross(lever), axis;
-  }
-  const Eigen::Matrix3d R0 = Eigen::AngleAxisd(3.0 * u(random), gaussian3(random).normalized()).toRotationMatrix();
+  const auto [J, R0] = random_pose(random);
   const Eigen::Vector3d swing = 0.2 * gaussian3(random);
   JointVector<double, kDofs> noise, beta_offset, beta_coulomb, beta_viscous;
   for (int j = 0; j < kDofs; ++j) {

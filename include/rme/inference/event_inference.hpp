@@ -53,13 +53,20 @@ class EventInference {
   /// The payload, averaged over the sensor models. Empty if the inference failed in all of them.
   ModelAverage<Scalar> posterior(const Statistics& window, const PayloadGaussian<Scalar>& prior) const noexcept;
 
-  /// Which explanation of a settled window is the best.
+  /// Which explanation of a settled window is the best. Each sensor model judges for itself and counts for as much as
+  /// it predicts of the whole event: a model with little noise may explain a window at rest best in any way, and a push
+  /// explains what it cannot.
+  /// @param event     all samples of the event, the settled ones included
   /// @param before    the payload that was known
-  /// @param jacobian  J of the window
-  Verdict<Scalar> judge(const Statistics& settled, const PayloadGaussian<Scalar>& prior, const Payload<Scalar>& before,
-                        const Jacobian<Scalar, Dofs>& jacobian) const noexcept;
+  /// @param jacobian  J of the settled window
+  Verdict<Scalar> judge(const Statistics& settled, const Statistics& event, const PayloadGaussian<Scalar>& prior,
+                        const Payload<Scalar>& before, const Jacobian<Scalar, Dofs>& jacobian) const noexcept;
 
  private:
+  /// Posterior and log evidence of one sensor model. @return whether the inference succeeded
+  bool infer_with(std::size_t sensor, const Statistics& window, const PayloadGaussian<Scalar>& prior,
+                  PayloadGaussian<Scalar>& posterior, Scalar& log_evidence) const noexcept;
+
   Scalar dt_;
   std::vector<SensorModel<Scalar, Dofs>> sensors_;
   std::vector<NuisanceGaussian<Scalar, Dofs>> nuisances_;  // one for each sensor model
@@ -72,7 +79,12 @@ EventInference<Scalar, Dofs>::EventInference(Scalar dt, const std::vector<Sensor
                                              const PushPrior& push, const VariationalInferenceConfig& config)
     : dt_(dt), sensors_(sensors), nuisances_(sensors.size()), push_(push), config_(config) {
   detail::require(!sensors.empty(), "EstimatorConfig::sensors", "at least one", sensors.size());
-  for (const auto& sensor : sensors) sensor.validate();
+  for (const auto& sensor : sensors) {
+    sensor.validate();
+    detail::require(sensor.noise_correlation_time == sensors.front().noise_correlation_time,
+                    "SensorModel::noise_correlation_time", "the same in all sensor models",
+                    sensor.noise_correlation_time);
+  }
   detail::require(push.force > 0, "PushPrior::force", "> 0 N", push.force);
   detail::require(push.moment > 0, "PushPrior::moment", "> 0 N m", push.moment);
   detail::require(config.max_iterations > 0, "VariationalInferenceConfig::max_iterations", ">= 1",
@@ -96,41 +108,61 @@ void EventInference<Scalar, Dofs>::learn_baseline(const Statistics& quiet) noexc
 }
 
 template <typename Scalar, int Dofs>
+bool EventInference<Scalar, Dofs>::infer_with(std::size_t sensor, const Statistics& window,
+                                              const PayloadGaussian<Scalar>& prior, PayloadGaussian<Scalar>& posterior,
+                                              Scalar& log_evidence) const noexcept {
+  PayloadLikelihood<Scalar> likelihood;
+  VariationalPosterior<Scalar> result;
+  if (window.likelihood(sensors_[sensor].precision(dt_), nuisances_[sensor], likelihood) != Status::Ok) return false;
+  const Status status = infer(likelihood, prior, result, config_);
+  if (status != Status::Ok && status != Status::NotConverged) return false;
+  posterior = result.posterior;
+  log_evidence = result.elbo - Scalar(0.5) * likelihood.yy + likelihood.log_factor +
+                 sensors_[sensor].log_factor(dt_, window.count());
+  return true;
+}
+
+template <typename Scalar, int Dofs>
 ModelAverage<Scalar> EventInference<Scalar, Dofs>::posterior(const Statistics& window,
                                                              const PayloadGaussian<Scalar>& prior) const noexcept {
   ModelAverage<Scalar> average;
-  for (std::size_t k = 0; k < sensors_.size(); ++k) {
-    PayloadLikelihood<Scalar> likelihood;
-    VariationalPosterior<Scalar> result;
-    if (window.likelihood(sensors_[k].precision(dt_), nuisances_[k], likelihood) != Status::Ok) continue;
-    const Status status = infer(likelihood, prior, result, config_);
-    if (status != Status::Ok && status != Status::NotConverged) continue;
-    average.add(result.posterior, result.elbo - Scalar(0.5) * likelihood.yy + likelihood.log_factor +
-                                      sensors_[k].log_factor(dt_, window.count()));
-  }
+  PayloadGaussian<Scalar> posterior;
+  Scalar log_evidence;
+  for (std::size_t k = 0; k < sensors_.size(); ++k)
+    if (infer_with(k, window, prior, posterior, log_evidence)) average.add(posterior, log_evidence);
   return average;
 }
 
 template <typename Scalar, int Dofs>
-Verdict<Scalar> EventInference<Scalar, Dofs>::judge(const Statistics& settled, const PayloadGaussian<Scalar>& prior,
-                                                    const Payload<Scalar>& before,
+Verdict<Scalar> EventInference<Scalar, Dofs>::judge(const Statistics& settled, const Statistics& event,
+                                                    const PayloadGaussian<Scalar>& prior, const Payload<Scalar>& before,
                                                     const Jacobian<Scalar, Dofs>& jacobian) const noexcept {
-  LogSum<Scalar> empty, unchanged, pushed;
+  LogSum<Scalar> payload, empty, unchanged, pushed;
+  bool judged = false;
   for (std::size_t k = 0; k < sensors_.size(); ++k) {
     const JointVector<Scalar, Dofs> precision = sensors_[k].precision(dt_);
     const Scalar factor = sensors_[k].log_factor(dt_, settled.count());
     PayloadLikelihood<Scalar> likelihood;
-    Scalar push = Scalar(0);
+    PayloadGaussian<Scalar> posterior;
+    Scalar of_event, of_payload, of_push;
     if (settled.likelihood(precision, nuisances_[k], likelihood) != Status::Ok ||
-        push_log_evidence(settled, precision, nuisances_[k], before, jacobian, push_, push) != Status::Ok)
+        push_log_evidence(settled, precision, nuisances_[k], before, jacobian, push_, of_push) != Status::Ok ||
+        !infer_with(k, settled, prior, posterior, of_payload) || !infer_with(k, event, prior, posterior, of_event))
       continue;
-    empty.add(factor + payload_log_evidence(likelihood, Payload<Scalar>()));
-    unchanged.add(factor + payload_log_evidence(likelihood, before));
-    pushed.add(factor + push);
+    const Scalar of_empty = factor + payload_log_evidence(likelihood, Payload<Scalar>());
+    const Scalar of_unchanged = factor + payload_log_evidence(likelihood, before);
+    of_push += factor;
+    LogSum<Scalar> all;
+    for (const Scalar x : {of_payload, of_empty, of_unchanged, of_push}) all.add(x);
+    const Scalar weight = of_event - all.value();
+    payload.add(weight + of_payload);
+    empty.add(weight + of_empty);
+    unchanged.add(weight + of_unchanged);
+    pushed.add(weight + of_push);
+    judged = true;
   }
-  const ModelAverage<Scalar> payload = posterior(settled, prior);
-  if (payload.empty()) return {Scalar(0), Scalar(0), Scalar(1), Scalar(0)};  // nothing can be said: unchanged
-  return {payload.log_evidence(), empty.value(), unchanged.value(), pushed.value()};
+  if (!judged) return {Scalar(0), Scalar(0), Scalar(1), Scalar(0)};  // nothing can be said: unchanged
+  return {payload.value(), empty.value(), unchanged.value(), pushed.value()};
 }
 
 }  // namespace rme

@@ -31,6 +31,23 @@ struct PayloadObservation {
   PayloadRegressor<Scalar, Dofs> regressor;                                 ///< a, B
   JointVector<Scalar, Dofs> direction = JointVector<Scalar, Dofs>::Zero();  ///< last direction of motion, in [-1, 1]
   JointVector<Scalar, Dofs> velocity = JointVector<Scalar, Dofs>::Zero();   ///< dq [rad/s]
+
+  PayloadObservation& operator+=(const PayloadObservation& other) noexcept {
+    tau += other.tau;
+    regressor.a += other.regressor.a;
+    regressor.B += other.regressor.B;
+    direction += other.direction;
+    velocity += other.velocity;
+    return *this;
+  }
+  PayloadObservation& operator*=(Scalar factor) noexcept {
+    tau *= factor;
+    regressor.a *= factor;
+    regressor.B *= factor;
+    direction *= factor;
+    velocity *= factor;
+    return *this;
+  }
 };
 
 /// Sums over a window, per joint: the Gram matrix of z = (y, a, B_x, B_y, B_z, 1, -direction, -velocity). They do not
@@ -41,15 +58,15 @@ class PayloadStatistics {
  public:
   void clear() noexcept { *this = PayloadStatistics(); }
 
-  /// Adds one tick. The caller vouches for finite numbers.
-  void add(const PayloadObservation<Scalar, Dofs>& o) noexcept {
+  /// Adds one tick, or the mean of `ticks` of them. The caller vouches for finite numbers.
+  void add(const PayloadObservation<Scalar, Dofs>& o, int ticks = 1) noexcept {
     for (int j = 0; j < Dofs; ++j) {
       Row z;
       z << o.tau[j], o.regressor.a[j], o.regressor.B(j, 0), o.regressor.B(j, 1), o.regressor.B(j, 2), Scalar(1),
           -o.direction[j], -o.velocity[j];
-      gram_[static_cast<std::size_t>(j)].noalias() += z * z.transpose();
+      gram_[static_cast<std::size_t>(j)].noalias() += (Scalar(ticks) * z) * z.transpose();
     }
-    ++count_;
+    count_ += ticks;
   }
 
   /// Adds another window's sums.

@@ -16,8 +16,10 @@ template <typename Scalar, int Dofs>
 struct SensorModel {
   using Vector = JointVector<Scalar, Dofs>;
 
-  Vector noise;                                  ///< standard deviation of what varies within a window [N m], > 0
-  Scalar noise_correlation_time = Scalar(0.02);  ///< over which it varies [s], > 0
+  /// Standard deviation of what varies within a window, over the correlation time [N m], > 0. White noise of standard
+  /// deviation s per sample of period dt counts as s sqrt(dt / (2 noise_correlation_time)).
+  Vector noise;
+  Scalar noise_correlation_time = Scalar(0.02);  ///< over which it varies, the same for models that compete [s], > 0
   Vector offset;    ///< standard deviation of the part that stays for minutes: sensor offset, model error [N m], > 0
   Vector stiction;  ///< standard deviation of the part that changes with every event: friction at rest [N m], > 0
   Vector coulomb_mean;  ///< Coulomb friction that tau_ext shows [N m], 0 with link-side sensing
@@ -63,20 +65,22 @@ struct SensorModel {
 template <typename Scalar, int Dofs>
 SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::link_side() {
   SensorModel model;
-  model.noise = graded(0.03, 0.02);
+  // White noise of 0.05 and 0.03 N m at 1 kHz, and a fifth more.
+  model.noise = graded(0.0095, 0.0057);
   model.offset = graded(0.1, 0.05);
-  model.stiction = graded(0.01, 0.005);
+  model.stiction = graded(0.001, 0.0005);
   model.coulomb_mean = model.viscous_mean = Vector::Zero();
-  model.coulomb_std = model.viscous_std = graded(1e-3, 1e-3);
+  model.coulomb_std = graded(5e-4, 5e-4);
+  model.viscous_std = graded(1e-3, 1e-3);
   return model;
 }
 
 template <typename Scalar, int Dofs>
 SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::joint_friction() {
   SensorModel model;
-  model.noise = graded(0.13, 0.08);
+  model.noise = graded(0.085, 0.05);  // of the friction, mostly: Coulomb's law is not all of it
   model.offset = graded(0.1, 0.05);
-  model.stiction = graded(0.1, 0.05);
+  model.stiction = graded(0.08, 0.035);
   model.coulomb_mean = graded(0.2, 0.075);
   model.coulomb_std = graded(0.06, 0.03);
   model.viscous_mean = graded(0.08, 0.03);

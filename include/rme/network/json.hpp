@@ -9,6 +9,7 @@
 #include <rme/network/mismatch_network.hpp>
 #include <rme/network/weights.hpp>
 #include <string>
+#include <utility>
 
 namespace rme {
 

@@ -171,9 +171,11 @@ template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::move() noexcept {
   x_ = *x_u_;
   for (int k = 0; k < count_; ++k) x_ += active_[index(k)].multiplier * active_[index(k)].image;
+  if (count_ > 1) refine();
 }
 
-/// One step of iterative refinement on the active constraints.
+/// One step of iterative refinement on the active constraints: nearly parallel ones have large multipliers whose terms
+/// cancel in x. The correction is added to x as it is, not to the sum, where it would drown in the same rounding.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
   const Vector moved = x_ - *x_u_;
@@ -185,8 +187,10 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
     y[index(k)] = sum * inverse_pivot_[index(k)];
   }
   back_substitute(y);
-  for (int k = 0; k < count_; ++k) active_[index(k)].multiplier += y[index(k)];
-  move();
+  for (int k = 0; k < count_; ++k) {
+    active_[index(k)].multiplier += y[index(k)];
+    x_ += y[index(k)] * active_[index(k)].image;
+  }
 }
 
 /// Brings a violated constraint into the active set, dropping those whose multiplier would turn negative on the way.
@@ -232,9 +236,7 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(Active a) noexcept {
 /// Finds the violated constraint that is furthest away in x; the active ones hold.
 template <typename Scalar, int Size, int MaxRows>
 bool ActiveSetSolver<Scalar, Size, MaxRows>::most_violated(int& row, Scalar& sign) const noexcept {
-  // What rounding in a x may amount to depends on the terms that x was summed from, not on their sum.
-  Scalar scale = x_u_->norm();
-  for (int k = 0; k < count_; ++k) scale += std::abs(active_[index(k)].multiplier) * active_[index(k)].image.norm();
+  const Scalar scale = x_u_->norm() + x_.norm();
   Scalar furthest = 0;
   const auto consider = [&](int i, Scalar value, Scalar lower, Scalar upper, Scalar squared_norm) {
     const Scalar below = lower - value, above = value - upper;
@@ -267,7 +269,6 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::relax() noexcept {
 
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::publish() noexcept {
-  if (count_ > 1) refine();
   multiplier_.fill(0);
   slack_.fill(0);
   for (int k = 0; k < count_; ++k) {

@@ -1,0 +1,168 @@
+#pragma once
+/// Random arms, poses and payloads, and the loop of a host around them.
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <rme/control/compensation.hpp>
+#include <rme/estimator.hpp>
+#include <stdexcept>
+#include <synthetic_arm/panda.hpp>
+#include <synthetic_arm/pose_impedance.hpp>
+#include <synthetic_arm/synthetic_arm.hpp>
+#include <vector>
+
+namespace rme::examples {
+
+using Torque = JointVector<double, 7>;
+constexpr double kPeriod = 1e-3;  // of the control loop [s]
+
+/// Where random payloads come from.
+enum class Truth {
+  Uniform,  ///< 0.2 to 2 kg, centre of mass within 8 cm across the flange's axis and 0 to 20 cm along it
+  Prior,    ///< the prior of the estimator, masses below 50 g left out
+};
+
+/// What the arm's torque sensors see of the joint friction.
+enum class Sensing { LinkSide, JointFriction, Mixed };
+
+/// Everything that chance decides about one run.
+struct Draw {
+  bool friction_shows = false;
+  SyntheticArmConfig<7> arm;
+  Torque start, target;  ///< joint angles at which the arm starts, and those that it is to hold [rad]
+  RigidBody payload;
+  int skipped = 0;  ///< draws before this one that the arm could not have held
+};
+
+/// Draws runs from a seed; run k is the same whatever was drawn before.
+class RandomHost {
+ public:
+  RandomHost(std::uint64_t seed, std::uint64_t run)
+      : random_([seed, run] {
+          std::seed_seq sequence{seed, run};
+          return std::mt19937_64(sequence);
+        }()) {}
+
+  double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
+  double normal(double mean, double deviation) { return mean + deviation * standard_(random_); }
+  Eigen::Vector3d direction() { return Eigen::Vector3d(normal(0, 1), normal(0, 1), normal(0, 1)).normalized(); }
+
+  /// @param with_payload  whether the arm must be able to hold the payload
+  Draw draw(Sensing sensing, Truth truth, bool with_payload = true) {
+    Draw d;
+    d.friction_shows = sensing == Sensing::JointFriction || (sensing == Sensing::Mixed && uniform(0, 1) < 0.5);
+    d.arm = faults(d.friction_shows);
+    while (true) {
+      pose(d.start);
+      d.payload = with_payload ? payload(truth) : RigidBody();
+      const Torque held = panda().dynamics(d.start, Torque::Zero(), d.payload).gravity;
+      if ((held.array().abs() < 0.9 * panda().tau_max.array()).all()) break;
+      ++d.skipped;
+    }
+    // It starts some millimetres beside its target, as an arm that has just arrived.
+    for (int i = 0; i < 7; ++i) d.target[i] = normal(d.start[i], 0.005);
+    return d;
+  }
+
+ private:
+  // A torque sensor of typical noise and offset, joints of typical friction.
+  SyntheticArmConfig<7> faults(bool friction_shows) {
+    SyntheticArmConfig<7> arm;
+    arm.dt = kPeriod;
+    arm.seed = random_();
+    arm.sensing = friction_shows ? TorqueSensing::MotorSide : TorqueSensing::LinkSide;
+    arm.torque_noise = panda().typical_noise;
+    for (int i = 0; i < 7; ++i) {
+      const bool proximal = i < 4;
+      arm.torque_offset[i] = normal(0, panda().typical_offset[i]);
+      arm.coulomb[i] = proximal ? uniform(0.1, 0.3) : uniform(0.05, 0.1);
+      arm.viscous[i] = proximal ? uniform(0.05, 0.1) : uniform(0.02, 0.04);
+    }
+    return arm;
+  }
+
+  // Well inside the limits, well conditioned, the flange above the table and away from the base. The flange points
+  // anywhere.
+  void pose(Torque& q) {
+    while (true) {
+      for (int i = 0; i < 7; ++i) {
+        const double margin = 0.15 * (panda().q_max[i] - panda().q_min[i]);
+        q[i] = uniform(panda().q_min[i] + margin, panda().q_max[i] - margin);
+      }
+      const auto at = panda().kinematics(q);
+      const Matrix6<double> mobility = at.jacobian * at.jacobian.transpose();
+      const double smallest = Eigen::SelfAdjointEigenSolver<Matrix6<double>>(mobility).eigenvalues()[0];
+      if (smallest > 0.1 * 0.1 && at.position.z() > 0.2 && at.position.head<2>().norm() > 0.3) return;
+    }
+  }
+
+  RigidBody payload(Truth truth) {
+    Eigen::Vector4d theta;
+    if (truth == Truth::Uniform) {
+      theta << uniform(0.2, 2), uniform(-0.08, 0.08), uniform(-0.08, 0.08), uniform(0, 0.2);
+    } else {
+      const auto prior = FixedPrior<double>().gaussian;
+      do
+        for (int i = 0; i < 4; ++i) theta[i] = normal(prior.mean[i], prior.standard_deviation()[i]);
+      while (theta[0] < 0.05);
+    }
+    return box(theta[0], theta.tail<3>(), {uniform(0.04, 0.1), uniform(0.04, 0.1), uniform(0.04, 0.1)});
+  }
+
+  std::mt19937_64 random_;
+  std::normal_distribution<double> standard_;
+};
+
+/// An estimate, or the refusal of one, at the tick it was made.
+struct Answer {
+  double t = 0;            ///< [s]
+  double detected_at = 0;  ///< [s]
+  bool rejected = false;
+  bool empty = false;
+  PayloadGaussian<double> posterior;
+};
+
+/// The loop of a host: arm, impedance controller, compensation by the first estimator. The others listen without a say.
+class Host {
+ public:
+  Host(const Draw& draw, const std::vector<EstimatorConfig<double, 7>>& configs)
+      : arm_(panda(), draw.arm, draw.start),
+        controller_(panda(), draw.target),
+        ramp_(kPeriod),
+        answers_(configs.size()) {
+    for (const auto& config : configs) estimators_.emplace_back(kPeriod, config);
+  }
+
+  SyntheticArm<7>& arm() { return arm_; }
+  /// Moves the target.
+  void hold(const Torque& q) { controller_ = PoseImpedance<7>(panda(), q); }
+  /// What the k-th estimator has said so far.
+  const std::vector<Answer>& answers(std::size_t k) const { return answers_[k]; }
+
+  /// One control period.
+  void tick() {
+    const auto& [position, rotation, jacobian] = arm_.kinematics();
+    for (std::size_t k = 0; k < estimators_.size(); ++k) {
+      auto& estimator = estimators_[k];
+      const Status status = estimator.update({arm_.tau_ext(), jacobian, rotation, arm_.dq()});
+      if (status != Status::Ok) throw std::runtime_error(to_string(status));
+      if (!estimator.estimated() && !estimator.rejected()) continue;
+      // The estimator counts from its first tick, which was at time 0 of the arm.
+      answers_[k].push_back({arm_.time(), estimator.detected_at() - kPeriod, estimator.rejected(),
+                             estimator.estimate().empty, estimator.estimate().posterior});
+    }
+    if (ramp_.update(estimators_.front().compensation(jacobian, rotation)) != Status::Ok)
+      throw std::runtime_error("the compensation is not finite");
+    arm_.step(controller_.torque(arm_.q(), arm_.dq(), arm_.kinematics(), arm_.dynamics()) + ramp_.torque());
+  }
+
+ private:
+  SyntheticArm<7> arm_;
+  PoseImpedance<7> controller_;
+  CompensationRamp<double, 7> ramp_;
+  std::vector<Estimator<double, 7>> estimators_;
+  std::vector<std::vector<Answer>> answers_;
+};
+
+}  // namespace rme::examples

@@ -1,0 +1,183 @@
+// How long CPIC takes, by percentiles: the whole update from (J, M, bias, F_c) to the torque, and the quadratic program
+// alone, warm, along random walks of a Panda's state.
+//
+// Each call is timed by itself, the clock's own cost subtracted. Other programs on the machine show in p99 and max.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <rme/control/cpic.hpp>
+#include <synthetic_arm/panda.hpp>
+#include <vector>
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Vector = rme::JointVector<double, 7>;
+using Matrix = rme::JointMatrix<double, 7>;
+
+double microseconds(Clock::duration d) {
+  return std::chrono::duration<double, std::micro>(d).count();
+}
+
+double clock_cost() {
+  std::vector<double> samples(100000);
+  for (double& s : samples) {
+    const auto start = Clock::now();
+    s = microseconds(Clock::now() - start);
+  }
+  std::nth_element(samples.begin(), samples.begin() + 50000, samples.end());
+  return samples[50000];
+}
+
+void print(const char* what, std::vector<double> samples) {
+  if (samples.empty()) return;
+  std::sort(samples.begin(), samples.end());
+  const auto at = [&](double share) {
+    return samples[static_cast<std::size_t>(share * static_cast<double>(samples.size() - 1))];
+  };
+  std::printf("  %-34s %8zu calls   median %6.3f   p99 %6.3f   p99.9 %6.3f us\n", what, samples.size(), at(0.5),
+              at(0.99), at(0.999));
+}
+
+Vector random_vector(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  Vector v;
+  for (int i = 0; i < 7; ++i) v[i] = normal(random);
+  return v;
+}
+
+/// One state of a walk, as a host would have it.
+struct State {
+  rme::CpicInput<double, 7> input;
+  Vector feasible;  // a torque that keeps the rows
+};
+
+/// 200 ms of joint motion in a straight line from a random pose; the task force, and with it the active set, drifts.
+/// @param tightness  how far task force and null-space torque are from those of a feasible torque [N], [N m]
+std::vector<State> walk(std::mt19937& random, double tightness) {
+  const auto& model = rme::examples::panda();
+  std::uniform_real_distribution<double> uniform;
+  Vector q, dq = 0.5 * random_vector(random), feasible;
+  for (int j = 0; j < 7; ++j) {
+    q[j] = model.q_min[j] + (0.15 + 0.7 * uniform(random)) * (model.q_max[j] - model.q_min[j]);
+    feasible[j] = (uniform(random) - 0.5) * model.tau_max[j];
+  }
+  const Vector null_error = tightness * random_vector(random), drift = 20 * random_vector(random);
+  const rme::Vector6<double> error = tightness * random_vector(random).head<6>();
+  const rme::Vector6<double> error_rate = tightness * random_vector(random).head<6>();
+  std::vector<State> states;
+  for (int k = 0; k < 200; ++k) {
+    const double t = 1e-3 * k;
+    const auto kinematics = model.kinematics(q + t * dq);
+    const auto dynamics = model.dynamics(q + t * dq, dq);
+    State s;
+    s.feasible = feasible + t * drift;
+    s.feasible = s.feasible.cwiseMax(-0.9 * model.tau_max).cwiseMin(0.9 * model.tau_max);
+    s.input.jacobian = kinematics.jacobian;
+    s.input.mass_matrix = dynamics.mass_matrix;
+    s.input.bias = dynamics.coriolis;
+    const rme::Matrix6<double> JJ = kinematics.jacobian * kinematics.jacobian.transpose();
+    const rme::Vector6<double> wrench = JJ.ldlt().solve(kinematics.jacobian * s.feasible) + error + 5 * t * error_rate;
+    s.input.wrench = rme::Wrench<double>::from_vector(wrench);
+    s.input.null_torque = s.feasible + null_error;
+    states.push_back(s);
+  }
+  return states;
+}
+
+void time_update(double overhead) {
+  const unsigned seed = 4401;
+  std::mt19937 random(seed);
+  std::vector<double> all;
+  std::vector<double> by_active[4];
+  rme::CpicConfig<double, 7> config;
+  config.torque_limit = rme::examples::panda().tau_max;
+  std::uniform_real_distribution<double> uniform;
+  for (int path = 0; path < 500; ++path) {
+    rme::Cpic<double, 7> cpic(config);
+    const auto states = walk(random, std::pow(10.0, 4 * uniform(random) - 2));
+    const Vector room = (20 * Vector::Ones()).cwiseProduct(random_vector(random).cwiseAbs());
+    for (const State& s : states) {
+      const Vector ddq = s.input.mass_matrix.llt().solve(s.feasible - s.input.bias);
+      const auto start = Clock::now();
+      rme::ConstraintRows<double, 7, 28> rows;
+      for (int j = 0; j < 7; ++j) (void)rows.add_axis(j, ddq[j] - room[j], ddq[j] + room[6 - j]);
+      const rme::Status status = cpic.update(s.input, rows);
+      const double time = microseconds(Clock::now() - start) - overhead;
+      if (status != rme::Status::Ok) std::printf("unexpected status: %s\n", rme::to_string(status));
+      all.push_back(time);
+      const int n = cpic.active_count();
+      by_active[n < 2 ? n : n < 4 ? 2 : 3].push_back(time);
+    }
+  }
+  std::printf("Cpic::update, 14 joint limits, torque limits, rows included (seed %u)\n", seed);
+  print("all", all);
+  print("no active row", by_active[0]);
+  print("1 active row", by_active[1]);
+  print("2 or 3 active rows", by_active[2]);
+  print("4 or more active rows", by_active[3]);
+}
+
+template <int Count>
+void time_solver(double overhead) {
+  const unsigned seed = 4402;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform;
+  std::vector<double> by_active[4];
+  struct Problem {
+    Matrix P;
+    Vector x_u;
+    rme::ConstraintRows<double, 7, Count> rows;
+  };
+  const Vector limit = rme::examples::panda().tau_max;
+  for (int path = 0; path < 500; ++path) {
+    const auto states = walk(random, std::pow(10.0, 4 * uniform(random) - 2));
+    std::vector<Vector> gradients;
+    std::vector<double> room;
+    for (int i = 0; i < Count; ++i) {
+      gradients.push_back(i < 14 ? Vector((i % 2 ? -1 : 1) * Vector::Unit(i / 2)) : random_vector(random).normalized());
+      room.push_back(20 * std::abs(random_vector(random)[0]));
+    }
+    std::vector<Problem> problems;
+    rme::NullSpace<double, 7> null_space;
+    for (const State& s : states) {
+      Problem p;
+      null_space.update(s.input.jacobian);
+      p.P = (s.input.jacobian.transpose() * s.input.jacobian + null_space.projector() / 1e-3) / 2;
+      p.x_u = s.input.jacobian.transpose() * s.input.wrench.vector() + null_space.projector() * s.input.null_torque;
+      const Eigen::LLT<Matrix> inertia(s.input.mass_matrix);
+      for (int i = 0; i < Count; ++i) {  // one-sided and general, as any other solver would be given them
+        const Vector a = inertia.solve(gradients[static_cast<std::size_t>(i)]);
+        (void)p.rows.add(a, a.dot(s.feasible) - room[static_cast<std::size_t>(i)]);
+      }
+      problems.push_back(p);
+    }
+    rme::ActiveSetSolver<double, 7, Count> solver;
+    for (const Problem& p : problems) {
+      const Problem local = p;  // in L1, as in a control loop that has just built it
+      const auto start = Clock::now();
+      const rme::Status status = solver.solve(local.P, local.x_u, local.rows, -limit, limit);
+      const double time = microseconds(Clock::now() - start) - overhead;
+      if (status != rme::Status::Ok) std::printf("unexpected status: %s\n", rme::to_string(status));
+      const int n = solver.active_count();
+      by_active[n < 2 ? n : n < 4 ? 2 : 3].push_back(time);
+    }
+  }
+  std::printf("ActiveSetSolver::solve, %d rows beside the torque limits, warm, random walk (seed %u)\n", Count, seed);
+  print("no active row", by_active[0]);
+  print("1 active row", by_active[1]);
+  print("2 or 3 active rows", by_active[2]);
+  print("4 or more active rows", by_active[3]);
+}
+
+}  // namespace
+
+int main() {
+  const double overhead = clock_cost();
+  std::printf("clock: %.3f us, subtracted\n", overhead);
+  time_update(overhead);
+  time_solver<14>(overhead);
+  time_solver<28>(overhead);
+}

@@ -1,0 +1,106 @@
+#include <memory>
+#include <random>
+#include <rme/network/network_prior.hpp>
+
+#include "network/golden.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using Network = rme::MismatchNetwork<double>;
+using Prior = rme::NetworkPrior<double>;
+using Window = rme::SampleWindow<double, 7>;
+
+/// An arm with a random Jacobian, torque and rotation at each tick.
+struct Recording {
+  Window window{0.001};
+  std::vector<rme::Proprioception<double, 7>> ticks;
+
+  explicit Recording(unsigned seed, int length, double torque = 1) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    for (int k = 0; k < length; ++k) {
+      rme::Proprioception<double, 7> tick;
+      tick.jacobian = tick.jacobian.NullaryExpr([&] { return normal(random); });
+      tick.tau_ext = tick.tau_ext.NullaryExpr([&] { return torque * normal(random); });
+      tick.rotation = Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+                          .normalized()
+                          .toRotationMatrix();
+      ticks.push_back(tick);
+      REQUIRE(window.push(tick) == rme::Status::Ok);
+    }
+  }
+};
+
+TEST_CASE("NetworkPrior: asks the network about 20 pseudo-wrenches, each the newest of 10 ms, in the network's frame",
+          "[network_prior]") {
+  const unsigned seed = 5;
+  CAPTURE(seed);
+  const Recording recording(seed, 250);
+  for (const auto frame : {rme::InputFrame::World, rme::InputFrame::EndEffector}) {
+    auto weights = golden::random_weights<double>();
+    weights->frame = frame;
+    const auto network = std::make_unique<Network>(*weights);
+    Network::Window input;
+    for (int i = 0; i < 20; ++i) {
+      const auto& tick = recording.ticks[static_cast<std::size_t>(250 - 200 + 10 * i + 9)];
+      const rme::Matrix6<double> damped =
+          tick.jacobian * tick.jacobian.transpose() + 1e-2 * rme::Matrix6<double>::Identity();
+      rme::Vector6<double> w = damped.inverse() * tick.jacobian * tick.tau_ext;
+      if (frame == rme::InputFrame::EndEffector) {
+        w.head<3>() = (tick.rotation.transpose() * w.head<3>()).eval();
+        w.tail<3>() = (tick.rotation.transpose() * w.tail<3>()).eval();
+      }
+      input.row(i) = w.transpose();
+    }
+    Eigen::Vector4d expected = Eigen::Vector4d::Zero();
+    REQUIRE(network->forward(input, expected) == rme::Status::Ok);
+
+    rme::NetworkPriorConfig<double> config;
+    config.standard_deviation << 0.1, 0.2, 0.3, 0.4;
+    config.farthest = 100;
+    config.damping = 1e-2;
+    const rme::PayloadGaussian<double> prior = Prior(*network, 0.001, config)(recording.window, 200);
+    CHECK((prior.mean - expected).cwiseAbs().maxCoeff() < 1e-9);
+    CHECK(prior.covariance.isApprox(Eigen::Vector4d(0.01, 0.04, 0.09, 0.16).asDiagonal().toDenseMatrix()));
+  }
+}
+
+TEST_CASE("NetworkPrior: where the network cannot know, the fixed prior stands", "[network_prior]") {
+  const auto network = std::make_unique<Network>(*golden::random_weights<double>());
+  rme::NetworkPriorConfig<double> config;
+  config.unknown.gaussian.mean << 3, 0.1, 0.2, 0.3;
+  const auto is_fixed = [&](const Recording& recording, std::size_t count, double farthest) {
+    config.farthest = farthest;
+    return Prior(*network, 0.001, config)(recording.window, count).mean == config.unknown.gaussian.mean;
+  };
+  const Recording light(6, 250), heavy(6, 250, 1000);
+  CHECK_FALSE(is_fixed(light, 200, 100));
+  SECTION("too few samples since the event") {
+    CHECK(is_fixed(light, 199, 100));
+  }
+  SECTION("a load far beyond those of the training") {
+    CHECK(is_fixed(heavy, 200, 100));
+  }
+}
+
+TEST_CASE("NetworkPrior: another control rate sees the same instants", "[network_prior]") {
+  const auto network = std::make_unique<Network>(*golden::random_weights<double>());
+  rme::NetworkPriorConfig<double> config;
+  config.farthest = 100;
+  const Recording recording(7, 1000);
+  rme::SampleWindow<double, 7> slow(0.005);
+  for (std::size_t k = 4; k < recording.ticks.size(); k += 5) REQUIRE(slow.push(recording.ticks[k]) == rme::Status::Ok);
+  CHECK(Prior(*network, 0.005, config)(slow, 40).mean == Prior(*network, 0.001, config)(recording.window, 200).mean);
+}
+
+TEST_CASE("NetworkPrior: a setting out of range is refused by name", "[network_prior]") {
+  const auto network = std::make_unique<Network>(*golden::random_weights<double>());
+  rme::NetworkPriorConfig<double> config;
+  CHECK_THROWS_WITH(Prior(*network, 0.0, config), contains("NetworkPrior::dt"));
+  CHECK_THROWS_WITH(Prior(*network, 0.02, config), contains("NetworkPriorConfig::spacing"));
+  config.standard_deviation[2] = 0;
+  CHECK_THROWS_WITH(Prior(*network, 0.001, config), contains("NetworkPriorConfig::standard_deviation"));
+}
+
+}  // namespace
