@@ -370,7 +370,13 @@ TEST_CASE("Estimator: works on an arm that hangs on a wall", "[estimator]") {
   const int handle = host.arm.attach(kFirst);
   host.run(2);
   REQUIRE(host.estimates.size() == 1);
-  check_close(host.estimates[0], kFirst, host.arm.kinematics().rotation, wall.gravity_vector);
+  const auto& at = host.arm.kinematics();
+  check_close(host.estimates[0], kFirst, at.rotation, wall.gravity_vector);
+  const Eigen::Vector4d mean = host.estimates[0].posterior.mean;
+  const Eigen::Vector3d weight(-9.81 * mean[0], 0, 0);
+  rme::Vector6<double> wrench;
+  wrench << weight, (at.rotation * mean.tail<3>()).cross(weight);
+  CHECK((host.estimator.compensation(at.jacobian, at.rotation) + at.jacobian.transpose() * wrench).norm() < 1e-12);
   host.arm.detach(handle);
   host.run(2);
   CHECK(host.estimator.estimate().empty);
