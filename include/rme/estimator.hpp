@@ -207,6 +207,7 @@ void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
   detail::require(onset_guard >= 0, "EstimatorConfig::onset_guard", ">= 0 s", onset_guard);
   detail::require(unrest > 0, "EstimatorConfig::unrest", "> 0 N m", unrest);
   detail::require(gyration_radius >= 0, "EstimatorConfig::gyration_radius", ">= 0 m", gyration_radius);
+  detail::require(detector.window > 0, "MismatchDetectorConfig::window", "> 0 s", detector.window);
   const double needed = detector.window + std::max(collection, baseline + baseline_guard) + 2 * dt;
   detail::require(window.duration >= needed, "SampleWindowConfig::duration",
                   "at least the detector's window + the longer of collection and baseline", window.duration);
@@ -233,6 +234,8 @@ void Estimator<Scalar, Dofs, PriorSource>::reset() noexcept {
   inference_.forget_baseline();
   phase_ = Phase::Watching;
   estimate_ = Estimate<Scalar>();
+  verdict_ = Verdict<Scalar>();
+  detected_at_ = 0;
   ticks_ = 0;
   tared_ = pushed_ = rejected_ = changing_ = false;
 }

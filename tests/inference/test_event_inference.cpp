@@ -42,12 +42,11 @@ class Bench {
     o.direction = normal().cwiseSign();
     const Torque constant = o.regressor.torque(payload) + jacobian_.topRows<3>().transpose() * push + offset_ +
                             model_.stiction.cwiseProduct(normal()) - coulomb_.cwiseProduct(o.direction);
-    // White noise of a size that tells as much as the model's noise with its memory does.
-    const Torque deviation = model_.precision(kPeriod).cwiseInverse().cwiseSqrt();
+    // Noise that stays the same for twice the correlation time, 40 ticks, and has the model's deviation.
     Inference::Statistics sums;
-    for (int t = 0; t < 200; ++t) {
-      o.tau = constant + deviation.cwiseProduct(normal());
-      sums.add(o);
+    for (int block = 0; block < 5; ++block) {
+      o.tau = constant + model_.noise.cwiseProduct(normal());
+      sums.add(o, 40);
     }
     return sums;
   }
@@ -77,13 +76,15 @@ TEST_CASE("EventInference: an object, an empty hand, a push and nothing at all a
   CAPTURE(seed);
   const Payload before{0.8, {0.03, -0.02, 0.1}}, after{1.5, {-0.02, 0.04, 0.12}};
   const Eigen::Vector3d sideways(10, -6, 0);  // no weight pulls across gravity
+  int false_alarms = 0;
   for (unsigned k = 0; k < 50; ++k) {
     CAPTURE(k);
     Bench bench(seed + k, Model::link_side());
     Inference inference = default_inference();
     inference.learn_baseline(bench.window({}));
     const auto judge = [&](const Payload& known, const Payload& now, const Eigen::Vector3d& push) {
-      return inference.judge(bench.window(now, push), wide_prior(), known, bench.jacobian());
+      const auto window = bench.window(now, push);
+      return inference.judge(window, window, wide_prior(), known, bench.jacobian());
     };
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
     struct Case {
@@ -107,11 +108,14 @@ TEST_CASE("EventInference: an object, an empty hand, a push and nothing at all a
       CHECK((verdict.log_odds() > 0) == changed);
       if (changed) CHECK(verdict.is_empty() == (c.now.mass == 0));
     }
-    // An empty hand that stays empty: both say the same, and a change needs more.
+    // An empty hand that stays empty: both words for it say the same. A payload of next to nothing explains it as well
+    // up to the price of 0.6 kg of prior where the data tell 0.01: odds of 1 to 60 unless noise of 2.9 deviations
+    // helps.
     const auto nothing = judge({}, {}, none);
     CHECK(nothing.empty == nothing.unchanged);
-    CHECK_FALSE(nothing.is_payload());
+    if (nothing.is_payload()) ++false_alarms;
   }
+  CHECK(false_alarms <= 2);
 }
 
 TEST_CASE("EventInference: several sensor models give the mixture of what each says alone", "[event_inference]") {
@@ -141,6 +145,59 @@ TEST_CASE("EventInference: several sensor models give the mixture of what each s
     CHECK((average.moments().mean - mean).cwiseQuotient(sd).norm() < 1e-8);
     CHECK((average.moments().covariance - covariance).cwiseQuotient(sd * sd.transpose()).norm() < 1e-7);
     CHECK(average.log_evidence() == Approx(std::max(l0, l1) + std::log1p(std::exp(-std::abs(l0 - l1)))));
+  }
+}
+
+TEST_CASE("EventInference: sensor models compete by the full density that each gives to the samples",
+          "[event_inference]") {
+  // With the payload known, what each joint shows is Gaussian: y ~ N(N mu, noise^2 + N Lambda N^T) with N = (1, -d,
+  // -dq). The log evidence of two models differs by the difference of these densities, normalisers included.
+  const unsigned seed = 115;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> n;
+  std::vector<Model> models = {Model::link_side(), Model::joint_friction()};
+  for (Model& model : models) model.noise_correlation_time = 1e-4;  // below dt / 2: every sample counts in full
+  const Payload payload{1.1, {0.05, 0.02, 0.13}};
+  const auto known = rme::PayloadGaussian<double>::independent(payload.vector(), Eigen::Vector4d::Constant(1e-7));
+  const int T = 20;
+  for (int k = 0; k < 10; ++k) {
+    CAPTURE(k);
+    const auto J = rme::Jacobian<double, 7>::NullaryExpr([&] { return 0.5 * n(random); }).eval();
+    Inference::Statistics window;
+    Eigen::MatrixXd y(T, 7), d(T, 7), v(T, 7);  // y without the payload's torque
+    for (int t = 0; t < T; ++t) {
+      rme::PayloadObservation<double, 7> o;
+      o.regressor = rme::payload_regressor<double, 7>(J, Eigen::Matrix3d::Identity(), {0, 0, -9.81});
+      for (int j = 0; j < 7; ++j) {
+        v(t, j) = o.velocity[j] = 0.2 * std::sin(0.5 * t + j + k);
+        d(t, j) = o.direction[j] = v(t, j) > 0 ? 1 : -1;
+        y(t, j) = 0.05 * n(random) - 0.1 * d(t, j);
+        o.tau[j] = y(t, j) + o.regressor.torque(payload)[j];
+      }
+      window.add(o);
+    }
+    std::vector<double> evidence, dense;
+    for (const Model& model : models) {
+      evidence.push_back(inference_of({model}).posterior(window, known).log_evidence());
+      double sum = 0;
+      for (int j = 0; j < 7; ++j) {
+        Eigen::MatrixXd N(T, 3);
+        N << Eigen::VectorXd::Ones(T), -d.col(j), -v.col(j);
+        const Eigen::Vector3d mu(0, model.coulomb_mean[j], model.viscous_mean[j]);
+        const Eigen::Vector3d variance(std::pow(model.offset[j], 2) + std::pow(model.stiction[j], 2),
+                                       std::pow(model.coulomb_std[j], 2), std::pow(model.viscous_std[j], 2));
+        Eigen::MatrixXd C = N * variance.asDiagonal() * N.transpose();
+        C.diagonal().array() += std::pow(model.noise[j], 2);
+        const Eigen::LLT<Eigen::MatrixXd> llt(C);
+        const Eigen::VectorXd white = llt.matrixL().solve(y.col(j) - N * mu);
+        sum -= 0.5 * white.squaredNorm() + llt.matrixLLT().diagonal().array().log().sum();
+      }
+      dense.push_back(sum);
+    }
+    CAPTURE(dense[0], dense[1]);
+    // A deviation of 1e-7 kg and m times torques' precisions of up to 1e6 leaves about 1e-4 of gradient.
+    CHECK(evidence[0] - evidence[1] == Approx(dense[0] - dense[1]).margin(1e-3).epsilon(1e-9));
   }
 }
 
@@ -179,8 +236,8 @@ TEST_CASE("EventInference: a baseline sharpens the estimate, and forgetting it t
   const auto with = inference.posterior(window, wide_prior()).moments();
   inference.forget_baseline();
   const auto again = inference.posterior(window, wide_prior()).moments();
-  // Without a baseline the offset's 0.1 N m is in the estimate, with it the stiction's 0.01 and what noise leaves of
-  // the offset: 0.03 / sqrt(5) in 200 ms.
+  // Without a baseline the offset's 0.1 N m is in the estimate; with it what noise leaves of the offset, 0.0095 /
+  // sqrt(5) in 200 ms.
   CHECK(with.standard_deviation()[0] < 0.4 * without.standard_deviation()[0]);
   CHECK(again.mean == without.mean);
   CHECK(again.covariance == without.covariance);
@@ -194,6 +251,9 @@ TEST_CASE("EventInference: a setting out of range is refused by name", "[event_i
   Model model = Model::link_side();
   model.offset[3] = 0;
   CHECK_THROWS_WITH(inference_of({Model::link_side(), model}), contains("SensorModel::offset"));
+  Model slower = Model::joint_friction();
+  slower.noise_correlation_time = 0.03;
+  CHECK_THROWS_WITH(inference_of({Model::link_side(), slower}), contains("SensorModel::noise_correlation_time"));
   const std::vector<Model> models = {Model::link_side()};
   for (const double bad : {0.0, -1.0, nan}) {
     CHECK_THROWS_WITH(Inference(kPeriod, models, {bad, 1}, {}), contains("PushPrior::force"));
@@ -210,7 +270,7 @@ TEST_CASE("EventInference: what cannot be inferred leaves the average empty and 
   prior.covariance.setZero();
   const auto window = bench.window({1.0, {0, 0, 0.1}});
   CHECK(inference.posterior(window, prior).empty());
-  const auto verdict = inference.judge(window, prior, {}, bench.jacobian());
+  const auto verdict = inference.judge(window, window, prior, {}, bench.jacobian());
   CHECK_FALSE(verdict.is_payload());
   CHECK(verdict.unchanged > verdict.push);
 }
@@ -221,6 +281,7 @@ static_assert(noexcept(std::declval<Inference&>().forget_baseline()));
 static_assert(noexcept(std::declval<const Inference&>().posterior(
     std::declval<const Statistics&>(), std::declval<const rme::PayloadGaussian<double>&>())));
 static_assert(noexcept(std::declval<const Inference&>().judge(std::declval<const Statistics&>(),
+                                                              std::declval<const Statistics&>(),
                                                               std::declval<const rme::PayloadGaussian<double>&>(),
                                                               std::declval<const Payload&>(),
                                                               std::declval<const rme::Jacobian<double, 7>&>())));
