@@ -41,7 +41,7 @@ ordered_json to_json(const ReplayedEstimate& e) {
   ordered_json out;
   out["type"] = "estimate";
   out["event"] = e.event;
-  out["final"] = true;
+  out["final"] = e.final;
   out["t"] = e.t;
   out["detected_at"] = e.detected_at ? ordered_json(*e.detected_at) : ordered_json(nullptr);
   out["window"] = {e.window_begin, e.window_end};

@@ -82,6 +82,10 @@ void visit_fields(Config& c, Visit&& visit, const EstimatorConfig<Scalar, Dofs>*
   visit("onset_jump", c.onset_jump);
   visit("onset_guard", c.onset_guard);
   visit("unrest", c.unrest);
+  visit("refresh", c.refresh);
+  visit("early_window", c.early_window);
+  visit("gentle_window", c.gentle_window);
+  visit("early_odds", c.early_odds);
   visit("gyration_radius", c.gyration_radius);
   visit("push", c.push);
   visit("inference", c.inference);

@@ -59,12 +59,15 @@ class EventInference {
   /// @param event     all samples of the event, the settled ones included
   /// @param before    the payload that was known
   /// @param jacobian  J of the settled window
+  /// @param[out] posterior  of the payload given the whole event, as from posterior(); what it held is lost
   Verdict<Scalar> judge(const Statistics& settled, const Statistics& event, const PayloadGaussian<Scalar>& prior,
-                        const Payload<Scalar>& before, const Jacobian<Scalar, Dofs>& jacobian) const noexcept;
+                        const Payload<Scalar>& before, const Jacobian<Scalar, Dofs>& jacobian,
+                        ModelAverage<Scalar>& posterior) const noexcept;
   /// The same where the settled samples are all there is.
   Verdict<Scalar> judge(const Statistics& settled, const PayloadGaussian<Scalar>& prior, const Payload<Scalar>& before,
                         const Jacobian<Scalar, Dofs>& jacobian) const noexcept {
-    return judge(settled, settled, prior, before, jacobian);
+    ModelAverage<Scalar> posterior;
+    return judge(settled, settled, prior, before, jacobian, posterior);
   }
 
  private:
@@ -141,19 +144,25 @@ ModelAverage<Scalar> EventInference<Scalar, Dofs>::posterior(const Statistics& w
 template <typename Scalar, int Dofs>
 Verdict<Scalar> EventInference<Scalar, Dofs>::judge(const Statistics& settled, const Statistics& event,
                                                     const PayloadGaussian<Scalar>& prior, const Payload<Scalar>& before,
-                                                    const Jacobian<Scalar, Dofs>& jacobian) const noexcept {
+                                                    const Jacobian<Scalar, Dofs>& jacobian,
+                                                    ModelAverage<Scalar>& posterior) const noexcept {
   LogSum<Scalar> payload, empty, unchanged, pushed;
-  bool judged = false;
+  posterior = ModelAverage<Scalar>();
   for (std::size_t k = 0; k < sensors_.size(); ++k) {
     const JointVector<Scalar, Dofs> precision = sensors_[k].precision(dt_);
     const Scalar factor = sensors_[k].log_factor(dt_, settled.count());
     PayloadLikelihood<Scalar> likelihood;
-    PayloadGaussian<Scalar> posterior;
+    PayloadGaussian<Scalar> given_settled, given_event;
     Scalar of_event, of_payload, of_push;
     if (settled.likelihood(precision, nuisances_[k], likelihood) != Status::Ok ||
         push_log_evidence(settled, precision, nuisances_[k], before, jacobian, push_, of_push) != Status::Ok ||
-        !infer_with(k, settled, prior, posterior, of_payload) || !infer_with(k, event, prior, posterior, of_event))
+        !infer_with(k, event, prior, given_event, of_event))
       continue;
+    if (&settled == &event)
+      of_payload = of_event;
+    else if (!infer_with(k, settled, prior, given_settled, of_payload))
+      continue;
+    posterior.add(given_event, of_event);
     const Scalar of_empty = factor + payload_log_evidence(likelihood, Payload<Scalar>());
     const Scalar of_unchanged = factor + payload_log_evidence(likelihood, before);
     of_push += factor;
@@ -164,9 +173,8 @@ Verdict<Scalar> EventInference<Scalar, Dofs>::judge(const Statistics& settled, c
     empty.add(weight + of_empty);
     unchanged.add(weight + of_unchanged);
     pushed.add(weight + of_push);
-    judged = true;
   }
-  if (!judged) return {Scalar(0), Scalar(0), Scalar(1), Scalar(0)};  // nothing can be said: unchanged
+  if (posterior.empty()) return {Scalar(0), Scalar(0), Scalar(1), Scalar(0)};  // nothing can be said: unchanged
   return {payload.value(), empty.value(), unchanged.value(), pushed.value()};
 }
 
