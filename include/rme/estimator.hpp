@@ -199,7 +199,7 @@ Estimator<Scalar, Dofs, PriorSource>::Estimator(double dt, const Config& config,
       dt_(dt),
       detector_(dt, config.detector),
       window_(dt, config.window),
-      inference_(Scalar(dt), config.sensors, config.push, config.inference),
+      inference_(Scalar(dt), config.sensors, config.push, config.inference, config.learn_noise),
       block_(static_cast<int>(std::max<std::size_t>(
           1, ticks_of(std::min(config.collection, 2 * double(config.sensors.front().noise_correlation_time)))))),
       event_(block_),
@@ -252,6 +252,10 @@ void Estimator<Scalar, Dofs, PriorSource>::watch() noexcept {
   if (detector_.update(watched(0)) != Status::Ok) return;
   if (detector_.rapid_change() && !changing_) begin_change();
   if (!changing_) return;
+  if (ticks_ - change_tick_ > window_.capacity()) {  // it does not settle: what was long ago counts no more
+    onset_known_ = false;
+    event_.clear();
+  }
   if (onset_known_ && ticks_ >= first_tick_) event_.add(observation(0));
   if (refresh_due(ticks_ - change_tick_)) {
     locate_onset();
@@ -431,6 +435,7 @@ void Estimator<Scalar, Dofs, PriorSource>::make_early_estimate() noexcept {
   ModelAverage<Scalar> average;
   verdict_ = inference_.judge(sums, sums, prior, known_.payload(), window_.newest().raw.jacobian, average);
   const bool likely = !average.empty() && verdict_.log_odds() > static_cast<Scalar>(config_.early_odds) &&
+                      verdict_.excess < static_cast<Scalar>(config_.early_excess) &&
                       (verdict_.is_empty() || average.moments().mean[0] > 0);
   steady_ = likely ? steady_ + ticks_of(config_.refresh) : 0;
   if (average.empty() || verdict_.log_odds() < 0) {

@@ -43,8 +43,10 @@ struct EstimatorConfig {
   double early_window = 0.03;    ///< samples since the change that an early estimate needs [s], > 0
   double gentle_window = 0.1;    ///< newest samples that are used while the weight is still coming [s], > 0
   double early_odds = 3;         ///< log odds of payload against push that an early estimate needs [nats]
+  double early_excess = 4;       ///< excess of noise above which no early estimate is believed, > 0
   double gyration_radius = 0.03;  ///< of a payload about its own centre of mass, roughly [m], >= 0
-  PushPrior push;                 ///< what a change may be that is no payload
+  bool learn_noise = true;  ///< of a window noisier than the likeliest sensor model says, as of an arm in fast motion
+  PushPrior push;           ///< what a change may be that is no payload
   VariationalInferenceConfig inference;
 
   /// @throws std::invalid_argument naming the field out of range
@@ -68,6 +70,7 @@ void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
   detail::require(gentle_window >= 2 * dt && gentle_window <= detector.window, "EstimatorConfig::gentle_window",
                   "2 samples to the detector's window [s]", gentle_window);
   detail::require(std::isfinite(early_odds), "EstimatorConfig::early_odds", "finite", early_odds);
+  detail::require(early_excess > 0, "EstimatorConfig::early_excess", "> 0", early_excess);
   detail::require(unrest > 0, "EstimatorConfig::unrest", "> 0 N m", unrest);
   detail::require(gyration_radius >= 0, "EstimatorConfig::gyration_radius", ">= 0 m", gyration_radius);
   const double needed = detector.window + std::max(collection, baseline + baseline_guard) + 2 * dt;

@@ -581,6 +581,9 @@ TEST_CASE("Estimator: a setting out of range is refused by name", "[estimator]")
     CHECK_THROWS_WITH(with([=](Config& c) { c.collection = bad; }), contains("EstimatorConfig::collection"));
     CHECK_THROWS_WITH(with([=](Config& c) { c.onset_span = bad; }), contains("EstimatorConfig::onset_span"));
     CHECK_THROWS_WITH(with([=](Config& c) { c.onset_jump = bad; }), contains("EstimatorConfig::onset_jump"));
+    CHECK_THROWS_WITH(with([=](Config& c) { c.early_window = bad; }), contains("EstimatorConfig::early_window"));
+    CHECK_THROWS_WITH(with([=](Config& c) { c.gentle_window = bad; }), contains("EstimatorConfig::gentle_window"));
+    CHECK_THROWS_WITH(with([=](Config& c) { c.early_excess = bad; }), contains("EstimatorConfig::early_excess"));
     CHECK_THROWS_WITH(with([=](Config& c) { c.unrest = bad; }), contains("EstimatorConfig::unrest"));
     CHECK_THROWS_WITH(with([=](Config& c) { c.detector.window = bad; }), contains("MismatchDetectorConfig::window"));
     CHECK_THROWS_WITH(with([=](Config& c) { c.push.force = bad; }), contains("PushPrior::force"));
@@ -592,8 +595,6 @@ TEST_CASE("Estimator: a setting out of range is refused by name", "[estimator]")
     CHECK_THROWS_WITH(with([=](Config& c) { c.baseline_guard = bad; }), contains("EstimatorConfig::baseline_guard"));
     CHECK_THROWS_WITH(with([=](Config& c) { c.onset_guard = bad; }), contains("EstimatorConfig::onset_guard"));
     CHECK_THROWS_WITH(with([=](Config& c) { c.refresh = bad; }), contains("EstimatorConfig::refresh"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.early_window = bad; }), contains("EstimatorConfig::early_window"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.gentle_window = bad; }), contains("EstimatorConfig::gentle_window"));
     CHECK_THROWS_WITH(with([=](Config& c) { c.gyration_radius = bad; }), contains("EstimatorConfig::gyration_radius"));
   }
   CHECK_THROWS_WITH(with([](Config& c) { c.gravity.setZero(); }), contains("EstimatorConfig::gravity"));

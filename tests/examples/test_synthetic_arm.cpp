@@ -137,7 +137,8 @@ TEST_CASE("SyntheticArm: a push shows in tau_ext as J^T f through the observer, 
   arm.push({force, Eigen::Vector3d::Zero()});
   const rme::Jacobian<double, 7> J = arm.kinematics().jacobian;
   hold(arm, law, 0.02);
-  // 20 ms after it sets in, the observer at 50 rad/s has closed a twentieth of the gap twenty times; the arm has hardly moved.
+  // 20 ms after it sets in, the observer at 50 rad/s has closed a twentieth of the gap twenty times; the arm has hardly
+  // moved.
   const Vector<7> expected = (1 - std::pow(0.95, 20)) * J.topRows<3>().transpose() * force;
   CHECK((arm.tau_ext() - expected).norm() < 0.01 * expected.norm());
   arm.push({});

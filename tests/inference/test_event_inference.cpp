@@ -65,8 +65,9 @@ class Bench {
   Torque offset_, coulomb_;
 };
 
-Inference inference_of(const std::vector<Model>& models) {
-  return {kPeriod, models, {}, {}};
+/// The noise is the models', unless it is to be learned.
+Inference inference_of(const std::vector<Model>& models, bool learn_noise = false) {
+  return {kPeriod, models, {}, {}, learn_noise};
 }
 Inference default_inference() {
   return inference_of({Model::link_side(), Model::joint_friction()});
@@ -277,6 +278,28 @@ TEST_CASE("EventInference: a verdict comes with the posterior of the whole event
   CHECK(given.log_evidence() == average.log_evidence());
   CHECK(given.moments().mean == average.moments().mean);
   CHECK(given.moments().covariance == average.moments().covariance);
+}
+
+TEST_CASE("EventInference: noise beyond the sensor model's widens the posterior as if the model had named it",
+          "[event_inference]") {
+  Model quiet = Model::link_side(), loud = quiet;
+  quiet.noise /= 10;
+  Bench bench(116, loud);
+  const auto window = bench.window({1.0, {0.02, -0.03, 0.1}});
+  rme::ModelAverage<double> average;
+  const auto verdict = inference_of({quiet}, true).judge(window, window, wide_prior(), {}, bench.jacobian(), average);
+  // 35 means of noise of 100 times the variance, less what 4 parameters and 7 offsets take up.
+  CHECK(verdict.excess > 30);
+  CHECK(verdict.excess < 150);
+  Model named = quiet;
+  named.noise *= std::sqrt(verdict.excess);
+  const auto expected = inference_of({named}).posterior(window, wide_prior());
+  CHECK((average.moments().mean - expected.moments().mean).norm() < 1e-9);
+  CHECK((average.moments().covariance - expected.moments().covariance).norm() < 1e-9);
+  CHECK(average.log_evidence() == Approx(expected.log_evidence()));
+  // Less noise than the model's changes nothing: it may be chance.
+  const auto calm = inference_of({loud}, true).judge(Bench(117, quiet).window({}), wide_prior(), {}, bench.jacobian());
+  CHECK(calm.excess == 1);
 }
 
 TEST_CASE("EventInference: what cannot be inferred leaves the average empty and the verdict unchanged",

@@ -38,9 +38,13 @@ struct SensorModel {
   /// Precision of one sample, per joint [1/(N m)^2]. Samples dt apart under an error of correlation time T are worth
   /// dt / (2 T) independent ones each.
   Vector precision(Scalar dt) const noexcept { return independence(dt) * noise.cwiseAbs2().cwiseInverse(); }
+  /// How many independent samples `count` of period dt are worth, per joint.
+  Scalar independent_samples(Scalar dt, int count) const noexcept {
+    return independence(dt) * static_cast<Scalar>(count);
+  }
   /// Log of the noise's normaliser over `count` samples, up to what all sensor models share: to compare their evidence.
   Scalar log_factor(Scalar dt, int count) const noexcept {
-    return -independence(dt) * static_cast<Scalar>(count) * noise.array().log().sum();
+    return -independent_samples(dt, count) * noise.array().log().sum();
   }
 
   /// Nuisances of a window of which nothing else is known.

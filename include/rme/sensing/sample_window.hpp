@@ -34,9 +34,10 @@ struct Sample {
 
 /// Keeps the last seconds, and prepares each sample on its way in.
 ///
-/// The observer's lag: r_k = r_k-1 + K dt (tau_k - r_k-1) is inverted, tau_k = r_k-1 + (r_k - r_k-1) / (K dt). That is the same information as passing the payload's model through the filter (the two
-/// differ by an invertible map), but it needs no instant at which the filter started, and white sensor noise comes out
-/// white (docs/theory.md, "Matching the observer").
+/// The observer's lag: r_k = r_k-1 + K dt (tau_k - r_k-1) is inverted, tau_k = r_k-1 + (r_k - r_k-1) / (K dt). That is
+/// the same information as passing the payload's model through the filter (the two differ by an invertible map), but it
+/// needs no instant at which the filter started, and white sensor noise comes out white (docs/theory.md, "Matching the
+/// observer").
 ///
 /// The flange's acceleration is the backward difference of J dq: it belongs to the same period as tau_k.
 template <typename Scalar, int Dofs>
