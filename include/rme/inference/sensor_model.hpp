@@ -69,8 +69,8 @@ struct SensorModel {
 template <typename Scalar, int Dofs>
 SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::link_side() {
   SensorModel model;
-  // White noise of 0.05 and 0.03 N m at 1 kHz, and a fifth more.
-  model.noise = graded(0.0095, 0.0057);
+  // White noise of 0.05 and 0.03 N m at 1 kHz.
+  model.noise = graded(0.0079, 0.0047);
   model.offset = graded(0.1, 0.05);
   model.stiction = graded(0.001, 0.0005);
   model.coulomb_mean = model.viscous_mean = Vector::Zero();
