@@ -5,6 +5,7 @@
 #include <rme/control/compensation.hpp>
 #include <rme/control/constraint_rows.hpp>
 #include <rme/control/cpic.hpp>
+#include <rme/control/energy_tank.hpp>
 #include <rme/control/flow.hpp>
 #include <rme/control/limit_cycle.hpp>
 #include <rme/control/linear_attractor.hpp>
