@@ -7,7 +7,7 @@
 // over all events that left something in the hand: mean absolute and rms error, how often the 90 % interval holds the
 // truth and its mean half width, for the mass, each coordinate of the centre of mass and its part across gravity (the
 // part along it cannot be seen at rest). With the early estimates it says when the mass came within a twentieth, or a
-// tenth, of the truth and stayed there.
+// tenth, of the truth and stayed there. With --every S the same is asked of windows all along the log.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -137,11 +137,13 @@ int main(int argc, char** argv) {
   ReplayRequest request;
   std::vector<std::string> names;
   bool verbose = false;
-  std::optional<double> at_attach;
+  std::optional<double> at_attach, every;
   try {
     Arguments arguments(argc, argv);
     verbose = arguments.flag("--verbose");
     at_attach = arguments.number("--at-attach");
+    every = arguments.number("--every");
+    if (every && !(*every > 0 && at_attach)) throw ArgumentError("--every: must be above 0 s, and needs --at-attach");
     request = parse_replay_options(arguments);
     do names.push_back(arguments.positional("LOG.csv"));
     while (!arguments.empty());
@@ -149,6 +151,7 @@ int main(int argc, char** argv) {
     std::cerr << "score_logs: " << error.what() << "\nusage: score_logs LOG.csv[.gz]... [options]\n"
               << kReplayUsage
               << "  --at-attach D       estimate from D seconds after the first change of the truth [s]\n"
+              << "  --every S           with --at-attach: and again every S seconds, up to the next change [s]\n"
               << "  --verbose           a line for each event\n";
     return 2;
   }
@@ -158,14 +161,20 @@ int main(int argc, char** argv) {
       const Log<7> log = read_log<7>(name);
       require_external_torque(log);
       if (log.truth.empty()) throw LogError(name + ": has no truth columns m, rx, ry, rz");
+      std::size_t end = 0;  // of the first change's payload
       if (at_attach) {
         std::size_t row = 1;
         while (row < log.size() && log.truth[row] == log.truth[row - 1]) ++row;
         if (row == log.size()) throw LogError(name + ": the truth never changes");
         request.options.at = log.t[row] + *at_attach;
+        end = row;
+        while (end + 1 < log.size() && log.truth[end + 1] == log.truth[row]) ++end;
       }
       const std::size_t before = scores.found.size();
       score(log, request, scores);
+      // Every window is estimated for itself.
+      while (every && (*request.options.at += *every) + request.options.estimator.collection < log.t[end])
+        score(log, request, scores);
       if (!verbose) continue;
       std::printf("%s\n", name.c_str());
       for (std::size_t i = before; i < scores.found.size(); ++i) {
