@@ -127,13 +127,13 @@ int main() {
     return likelihood.aa;
   });
   measure("infer: full covariance, from the likelihood", 20000, 1, [&](std::size_t i) {
-    VariationalPosterior<double> result;
+    InferenceResult<double> result;
     (void)infer(likelihoods[i % likelihoods.size()], prior, result);
     return result.posterior.mean[0];
   });
   measure("likelihood and infer: from the sums", 20000, 1, [&](std::size_t i) {
     PayloadLikelihood<double> likelihood;
-    VariationalPosterior<double> result;
+    InferenceResult<double> result;
     const auto& e = event(i);
     (void)e.statistics.likelihood(e.precision, e.nuisance, likelihood);
     (void)infer(likelihood, prior, result);
@@ -142,7 +142,7 @@ int main() {
   measure("exact_posterior with evidence", 5000, 1, [&](std::size_t i) {
     ExactPosterior<double> result;
     (void)exact_posterior(likelihoods[i % likelihoods.size()], prior, result);
-    return result.moments.mean[0];
+    return result.posterior.mean[0];
   });
   measure_estimator(100);
   return sink == sink ? 0 : 1;

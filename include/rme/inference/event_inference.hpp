@@ -7,6 +7,7 @@
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/event_evidence.hpp>
+#include <rme/inference/inference_result.hpp>
 #include <rme/inference/model_average.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_statistics.hpp>
@@ -117,12 +118,12 @@ bool EventInference<Scalar, Dofs>::infer_with(std::size_t sensor, const Statisti
                                               const PayloadGaussian<Scalar>& prior, PayloadGaussian<Scalar>& posterior,
                                               Scalar& log_evidence) const noexcept {
   PayloadLikelihood<Scalar> likelihood;
-  VariationalPosterior<Scalar> result;
+  InferenceResult<Scalar> result;
   if (window.likelihood(sensors_[sensor].precision(dt_), nuisances_[sensor], likelihood) != Status::Ok) return false;
   const Status status = infer(likelihood, prior, result, config_);
   if (status != Status::Ok && status != Status::NotConverged) return false;
   posterior = result.posterior;
-  log_evidence = result.elbo - Scalar(0.5) * likelihood.yy + likelihood.log_factor +
+  log_evidence = result.log_evidence - Scalar(0.5) * likelihood.yy + likelihood.log_factor +
                  sensors_[sensor].log_factor(dt_, window.count());
   return true;
 }

@@ -28,6 +28,17 @@ struct PayloadLikelihood {
     return Scalar(-0.5) * (yy - 2 * m * (ya + yB.dot(r)) + m * m * (aa + 2 * aB.dot(r) + r.dot(BB * r)));
   }
 
+  /// L(theta) - L(m = 0): how much better a payload explains the window than an empty hand. Without yy, whose size
+  /// would drown the rest.
+  /// @param[out] gradient  with respect to theta, 4x1
+  Scalar log_likelihood_ratio(const Vector4<Scalar>& theta, Vector4<Scalar>& gradient) const noexcept {
+    const Scalar m = theta[0];
+    const Vector3<Scalar> r = theta.template tail<3>(), aB_BBr = aB + BB * r;
+    const Scalar yt = ya + yB.dot(r), tt = aa + (aB + aB_BBr).dot(r);  // with t = a + B r
+    gradient << yt - m * tt, m * yB - m * m * aB_BBr;
+    return m * yt - Scalar(0.5) * m * m * tt;
+  }
+
   bool all_finite() const noexcept {
     return std::isfinite(yy) && std::isfinite(ya) && std::isfinite(aa) && yB.allFinite() && aB.allFinite() &&
            BB.allFinite();
