@@ -22,6 +22,18 @@ struct PayloadLikelihood {
   /// Log of the factor in front, up to one that every sensor model of the same window shares: only to compare those.
   Scalar log_factor = Scalar(0);
 
+  /// @param products  precision-weighted products of (y, a, B_x, B_y, B_z), 5x5, symmetric
+  static PayloadLikelihood from_products(const Eigen::Matrix<Scalar, 5, 5>& products) noexcept {
+    PayloadLikelihood l;
+    l.yy = products(0, 0);
+    l.ya = products(0, 1);
+    l.aa = products(1, 1);
+    l.yB = products.template block<3, 1>(2, 0);
+    l.aB = products.template block<3, 1>(2, 1);
+    l.BB = products.template block<3, 3>(2, 2);
+    return l;
+  }
+
   Scalar log_likelihood(const Vector4<Scalar>& theta) const noexcept {
     const Scalar m = theta[0];
     const Vector3<Scalar> r = theta.template tail<3>();

@@ -136,7 +136,7 @@ class PayloadStatistics {
       total += joint.products;
       log_factor += joint.log_factor;
     }
-    out = from_products(total);
+    out = PayloadLikelihood<Scalar>::from_products(total.template topLeftCorner<5, 5>());
     out.log_factor = log_factor;
     return Status::Ok;
   }
@@ -147,7 +147,7 @@ class PayloadStatistics {
     Signals total = Signals::Zero();
     for (int j = 0; j < Dofs; ++j)
       total += precision[j] * gram_[static_cast<std::size_t>(j)].template topLeftCorner<kSignals, kSignals>();
-    PayloadLikelihood<Scalar> out = from_products(total);
+    PayloadLikelihood<Scalar> out = PayloadLikelihood<Scalar>::from_products(total.template topLeftCorner<5, 5>());
     out.log_factor = Scalar(0.5) * static_cast<Scalar>(count_) * precision.array().log().sum();
     return out;
   }
@@ -180,17 +180,6 @@ class PayloadStatistics {
   using Gram = Eigen::Matrix<Scalar, kColumns, kColumns>;
   using Signals = Eigen::Matrix<Scalar, kSignals, kSignals>;
   using Cross = Eigen::Matrix<Scalar, kSignals, kNuisances>;
-
-  static PayloadLikelihood<Scalar> from_products(const Signals& total) noexcept {
-    PayloadLikelihood<Scalar> out;
-    out.yy = total(0, 0);
-    out.ya = total(0, 1);
-    out.aa = total(1, 1);
-    out.yB = total.template block<3, 1>(2, 0);
-    out.aB = total.template block<3, 1>(2, 1);
-    out.BB = total.template block<3, 3>(2, 2);
-    return out;
-  }
 
   std::array<Gram, Dofs> gram_ = zero();
   int count_ = 0;

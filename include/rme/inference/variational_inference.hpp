@@ -12,7 +12,7 @@
 namespace rme {
 
 /// log p(y, theta) = L(theta) + log N(theta; prior) with its expectations under a Gaussian. L is a quartic polynomial,
-/// so each expectation is exact (Isserlis): docs/theory.md, "Gaussian variational inference in closed form".
+/// so each expectation is exact (Isserlis): docs/theory.md, "Four solvers".
 template <typename Scalar>
 class ExpectedLogJoint {
  public:
