@@ -119,6 +119,29 @@ TEST_CASE("exact_posterior: sharp posteriors are integrated as well wherever the
   }
 }
 
+TEST_CASE("exact_posterior: a mass that the prior all but excludes is found", "[exact]") {
+  const unsigned seed = 45;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  for (int k = 0; k < 40; ++k) {
+    CAPTURE(k);
+    const auto event = random_event(random, 20);
+    const rme::PayloadLikelihood<double> l = event.statistics.white_likelihood(event.precision);
+    // 6.5 to 14 deviations of 0.1 kg too heavy, or, where that is a mass still, too light.
+    auto prior = wide_prior();
+    const double deviations = 6.5 + 0.2 * k;
+    prior.covariance(0, 0) = 0.01;
+    prior.mean[0] = event.truth[0] + (event.truth[0] > 0.1 * deviations + 0.7 ? -0.1 : 0.1) * deviations;
+    rme::ExactPosterior<double> exact;
+    rme::InferenceResult<double> vi;
+    REQUIRE(rme::exact_posterior(l, prior, exact) == Status::Ok);
+    REQUIRE(rme::infer(l, prior, vi) == Status::Ok);
+    // The data are sharp, so that the posterior is close to Gaussian.
+    CHECK(std::abs(exact.posterior.mean[0] - vi.posterior.mean[0]) < 0.05 * vi.posterior.standard_deviation()[0]);
+    CHECK(exact.log_evidence >= vi.log_evidence - 1e-6);
+  }
+}
+
 TEST_CASE("exact_posterior: both modes count where a light payload far out cannot be told from its mirror image",
           "[exact]") {
   // With a nearly zero the data know m r alone, and (-m, -r) explains it as well as (m, r).

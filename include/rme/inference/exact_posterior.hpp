@@ -25,9 +25,10 @@ struct ExactQuadrature {};
 
 /// Integrates over r in closed form and over m by the trapezoidal rule, which converges geometrically for a smooth
 /// density that has died out at both ends (docs/theory.md, "The exact posterior"). A coarse pass over the prior's mean
-/// +- 6 standard deviations shows the modes, a golden-section search sharpens each, and the fine pass covers whatever
-/// lies within e^-20 of the highest. Real time: one 3x3 eigendecomposition, 66 evaluations of the mass's density and
-/// 233 at most for each mode (seldom more than two), each with a logarithm and three divisions; no allocation.
+/// +- 6 standard deviations, and beyond where the density still rises, shows the modes, a golden-section search
+/// sharpens each, and the fine pass covers whatever lies within e^-20 of the highest. Real time: one 3x3
+/// eigendecomposition, 66 evaluations of the mass's density and 233 at most for each mode (seldom more than two), each
+/// with a logarithm and three divisions; no allocation.
 /// @param[out] result  as it was unless the status is Ok
 /// @return Ok; NonFiniteInput; NotPositiveDefinite (the prior's covariance)
 template <typename Scalar>
@@ -162,6 +163,17 @@ Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const Payloa
     }
     return f1 > f2 ? Mode{x1, f1} : Mode{x2, f2};
   };
+  // The mode beyond an end of the coarse pass, where the data contradict the prior: in growing strides, until it falls.
+  const auto climb = [&](Scalar m, Scalar stride) noexcept {
+    Scalar here = log_density(m);
+    for (int i = 0; i < 64; ++i, stride *= Scalar(1.1)) {
+      const Scalar next = log_density(m + stride);
+      if (!(next > here)) break;
+      m += stride;
+      here = next;
+    }
+    return sharpen(std::min(m - stride, m + stride), std::max(m - stride, m + stride));
+  };
   std::array<Mode, kCoarse + 2> modes;
   std::size_t mode_count = 0, best = 0;
   const auto add = [&](const Mode& found) noexcept {
@@ -169,17 +181,19 @@ Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const Payloa
     if (found.log_density > modes[best].log_density) best = mode_count;
     ++mode_count;
   };
-  for (std::size_t i = 0; i <= kCoarse; ++i) {
+  if (coarse[0] > coarse[1]) add(climb(first, -spacing));
+  for (std::size_t i = 1; i < kCoarse; ++i) {
     const Scalar node = first + Scalar(i) * spacing;
     if (std::abs(node) < Scalar(0.25) * spacing) {
       // What explains the torque as m r may as well be -m and -r: two modes with a valley between them that is at zero,
       // however near they are.
       add(sharpen(node - spacing, node));
       add(sharpen(node, node + spacing));
-    } else if ((i == 0 || coarse[i - 1] < coarse[i]) && (i == kCoarse || coarse[i + 1] <= coarse[i])) {
+    } else if (coarse[i - 1] < coarse[i] && coarse[i + 1] <= coarse[i]) {
       add(sharpen(node - spacing, node + spacing));
     }
   }
+  if (coarse[kCoarse] > coarse[kCoarse - 1]) add(climb(first + Scalar(kCoarse) * spacing, spacing));
   if (mode_count == 0) return Status::NonFiniteInput;
   const auto [mode, peak] = modes[best];
 

@@ -112,7 +112,7 @@ Status infer(const LogLikelihood& log_likelihood, const PayloadGaussian<Scalar>&
   using Parameters = Eigen::Matrix<Scalar, 8, 1>;  // (mu, s)
   detail::Adam<Scalar, 8> adam(Scalar(config.learning_rate), Scalar(config.gradient_norm));
   Parameters at_check = Parameters::Zero();
-  int in_a_row = 0, step = 0;
+  int in_a_row = 0, step = 0, next_check = config.first_check;
   Status status = Status::NotConverged;
   while (step < config.max_steps && status == Status::NotConverged) {
     ++step;
@@ -122,7 +122,8 @@ Status infer(const LogLikelihood& log_likelihood, const PayloadGaussian<Scalar>&
     const Parameters change = adam(uphill);
     mu += change.template head<4>();
     s += change.template tail<4>();
-    if (step < config.first_check || (step - config.first_check) % config.check_interval != 0) continue;
+    if (step < next_check) continue;
+    next_check = step + config.check_interval;
     Parameters now;
     now << mu, s;
     const bool small = step > config.first_check && (now - at_check).norm() < Scalar(config.small_change);
