@@ -27,8 +27,8 @@ struct ExactQuadrature {};
 /// density that has died out at both ends (docs/theory.md, "The exact posterior"). A coarse pass over the prior's mean
 /// +- 6 standard deviations, and beyond where the density still rises, shows the modes, a golden-section search
 /// sharpens each, and the fine pass covers whatever lies within e^-20 of the highest. Real time: one 3x3
-/// eigendecomposition, 66 evaluations of the mass's density and 233 at most for each mode (seldom more than two), each
-/// with a logarithm and three divisions; no allocation.
+/// eigendecomposition, 196 evaluations of the mass's density at most and 233 for each mode that is sharpened (three as
+/// a rule, of which one counts; about 300 in all), each with a logarithm and three divisions; no allocation.
 /// @param[out] result  as it was unless the status is Ok
 /// @return Ok; NonFiniteInput; NotPositiveDefinite (the prior's covariance)
 template <typename Scalar>
