@@ -27,12 +27,16 @@
 #include <rme/inference/event_inference.hpp>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/fixed_prior.hpp>
+#include <rme/inference/inference_result.hpp>
+#include <rme/inference/mean_field.hpp>
 #include <rme/inference/model_average.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_likelihood.hpp>
 #include <rme/inference/payload_regressor.hpp>
 #include <rme/inference/payload_statistics.hpp>
+#include <rme/inference/published_likelihood.hpp>
 #include <rme/inference/sensor_model.hpp>
+#include <rme/inference/stochastic_vi.hpp>
 #include <rme/inference/variational_inference.hpp>
 #include <rme/inference/window_statistics.hpp>
 #include <rme/network/architecture.hpp>

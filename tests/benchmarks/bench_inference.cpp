@@ -7,6 +7,9 @@
 #include <random>
 #include <rme/estimator.hpp>
 #include <rme/inference/exact_posterior.hpp>
+#include <rme/inference/mean_field.hpp>
+#include <rme/inference/published_likelihood.hpp>
+#include <rme/inference/stochastic_vi.hpp>
 #include <string>
 #include <vector>
 
@@ -127,22 +130,39 @@ int main() {
     return likelihood.aa;
   });
   measure("infer: full covariance, from the likelihood", 20000, 1, [&](std::size_t i) {
-    VariationalPosterior<double> result;
+    InferenceResult<double> result;
     (void)infer(likelihoods[i % likelihoods.size()], prior, result);
     return result.posterior.mean[0];
   });
   measure("likelihood and infer: from the sums", 20000, 1, [&](std::size_t i) {
     PayloadLikelihood<double> likelihood;
-    VariationalPosterior<double> result;
+    InferenceResult<double> result;
     const auto& e = event(i);
     (void)e.statistics.likelihood(e.precision, e.nuisance, likelihood);
     (void)infer(likelihood, prior, result);
     return result.posterior.mean[0];
   });
-  measure("exact_posterior with evidence", 5000, 1, [&](std::size_t i) {
-    ExactPosterior<double> result;
-    (void)exact_posterior(likelihoods[i % likelihoods.size()], prior, result);
-    return result.moments.mean[0];
+  measure("infer: mean field, from the likelihood", 20000, 1, [&](std::size_t i) {
+    InferenceResult<double> result;
+    (void)infer(likelihoods[i % likelihoods.size()], prior, result, MeanFieldConfig());
+    return result.posterior.mean[0];
+  });
+  measure("infer: exact with evidence, from the likelihood", 20000, 1, [&](std::size_t i) {
+    InferenceResult<double> result;
+    (void)infer(likelihoods[i % likelihoods.size()], prior, result, ExactQuadrature());
+    return result.posterior.mean[0];
+  });
+  measure("infer: stochastic VI, published settings", 1000, 1, [&](std::size_t i) {
+    InferenceResult<double> result;
+    (void)infer(likelihoods[i % likelihoods.size()], prior, result, StochasticViConfig(), random);
+    return result.posterior.mean[0];
+  });
+  measure("published_likelihood, from 200 samples", 5000, 1, [&](std::size_t i) {
+    PayloadLikelihood<double> likelihood;
+    const auto& samples = event(i).samples;
+    const auto at = [&samples](int k) { return samples[static_cast<std::size_t>(k)]; };
+    (void)published_likelihood<double, kDofs>(static_cast<int>(samples.size()), at, likelihood);
+    return likelihood.aa;
   });
   measure_estimator(100);
   return sink == sink ? 0 : 1;

@@ -27,16 +27,16 @@ TEST_CASE("infer: 10,000 random events agree with the exact posterior wherever t
     const auto likelihood = likelihood_of(event);
     rme::ExactPosterior<double> exact;
     REQUIRE(rme::exact_posterior(likelihood, wide_prior(), exact) == Status::Ok);
-    rme::VariationalPosterior<double> vi;
+    rme::InferenceResult<double> vi;
     REQUIRE(rme::infer(likelihood, wide_prior(), vi) == Status::Ok);
     // Close to Gaussian, decided without looking at the approximation: the mass's third and fourth moments, which a
     // Gaussian has not, are small, and so is its coefficient of variation, since p(r | m, y) has a covariance that goes
     // with 1/m^2 (a Gaussian's conditional covariance is constant).
-    const double variation = std::sqrt(exact.moments.covariance(0, 0)) / exact.moments.mean[0];
+    const double variation = std::sqrt(exact.posterior.covariance(0, 0)) / exact.posterior.mean[0];
     if (std::abs(exact.skewness) > 0.05 || std::abs(exact.excess_kurtosis) > 0.05 || variation > 0.02) continue;
     ++compared;
-    const Eigen::Array4d sd = exact.moments.standard_deviation();
-    REQUIRE(((vi.posterior.mean - exact.moments.mean).array().abs() / sd).maxCoeff() < 0.02);
+    const Eigen::Array4d sd = exact.posterior.standard_deviation();
+    REQUIRE(((vi.posterior.mean - exact.posterior.mean).array().abs() / sd).maxCoeff() < 0.02);
     REQUIRE((vi.posterior.standard_deviation().array() / sd - 1).abs().maxCoeff() < 0.02);
   }
   INFO("compared " << compared);
@@ -109,17 +109,17 @@ TEST_CASE("infer: the ELBO does not fall when more iterations are allowed", "[vi
     for (int iterations = 1; iterations <= 15; ++iterations) {
       rme::VariationalInferenceConfig config;
       config.max_iterations = iterations;
-      rme::VariationalPosterior<double> vi;
+      rme::InferenceResult<double> vi;
       const Status status = rme::infer(likelihood, wide_prior(), vi, config);
       REQUIRE((status == Status::Ok || status == Status::NotConverged));
-      REQUIRE(vi.elbo >= last - 1e-9 * std::abs(last));
-      last = vi.elbo;
+      REQUIRE(vi.log_evidence >= last - 1e-9 * std::abs(last));
+      last = vi.log_evidence;
     }
   }
 }
 
 TEST_CASE("infer: without data the posterior is the prior", "[vi]") {
-  rme::VariationalPosterior<double> vi;
+  rme::InferenceResult<double> vi;
   REQUIRE(rme::infer(rme::PayloadLikelihood<double>(), wide_prior(), vi) == Status::Ok);
   CHECK((vi.posterior.mean - wide_prior().mean).norm() < 1e-12);
   CHECK((vi.posterior.covariance - wide_prior().covariance).norm() < 1e-12);
@@ -136,8 +136,8 @@ TEST_CASE("infer: float agrees with double to its precision", "[vi]") {
     lf.yy = float(l.yy), lf.ya = float(l.ya), lf.aa = float(l.aa);
     lf.yB = l.yB.cast<float>(), lf.aB = l.aB.cast<float>(), lf.BB = l.BB.cast<float>();
     const rme::PayloadGaussian<float> prior{wide_prior().mean.cast<float>(), wide_prior().covariance.cast<float>()};
-    rme::VariationalPosterior<double> vi;
-    rme::VariationalPosterior<float> vif;
+    rme::InferenceResult<double> vi;
+    rme::InferenceResult<float> vif;
     REQUIRE(rme::infer(l, wide_prior(), vi) == Status::Ok);
     REQUIRE(rme::infer(lf, prior, vif) == Status::Ok);
     const Eigen::Array4d sd = vi.posterior.standard_deviation();
@@ -146,7 +146,7 @@ TEST_CASE("infer: float agrees with double to its precision", "[vi]") {
 }
 
 TEST_CASE("infer: bad input is named and leaves the result as it was", "[vi]") {
-  rme::VariationalPosterior<double> vi;
+  rme::InferenceResult<double> vi;
   vi.iterations = 77;
   rme::PayloadLikelihood<double> likelihood;
   likelihood.aB[1] = std::nan("");

@@ -10,20 +10,8 @@
 #include <run_network/json_file.hpp>
 
 #include "network/golden.hpp"
+#include "support/allocation_count.hpp"
 #include "support/catch.hpp"
-
-// Eigen calls malloc, the standard library operator new, which calls malloc: this counts both.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
-#define RME_COUNTS_ALLOCATIONS
-namespace {
-int allocations = 0;
-}
-extern "C" void* __libc_malloc(std::size_t);
-extern "C" void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-#endif
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/event_evidence.hpp>
+#include <rme/inference/inference_result.hpp>
 #include <rme/inference/model_average.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_statistics.hpp>
@@ -146,15 +147,15 @@ auto EventInference<Scalar, Dofs>::infer_with(std::size_t sensor, Scalar excess,
                                               const PayloadGaussian<Scalar>& prior) const noexcept -> Inferred {
   Inferred out;
   PayloadLikelihood<Scalar> likelihood;
-  VariationalPosterior<Scalar> result;
+  InferenceResult<Scalar> result;
   const SensorModel<Scalar, Dofs>& model = sensors_[sensor];
   if (window.likelihood(model.precision(dt_) / excess, nuisances_[sensor], likelihood) != Status::Ok) return out;
   const Status status = infer(likelihood, prior, result, config_);
   out.valid = status == Status::Ok || status == Status::NotConverged;
   if (!out.valid) return out;
   out.posterior = result.posterior;
-  out.log_evidence =
-      result.elbo - Scalar(0.5) * likelihood.yy + likelihood.log_factor + log_factor(sensor, excess, window.count());
+  out.log_evidence = result.log_evidence - Scalar(0.5) * likelihood.yy + likelihood.log_factor +
+                     log_factor(sensor, excess, window.count());
   out.misfit =
       -2 * likelihood.log_likelihood(out.posterior.mean) / (Dofs * model.independent_samples(dt_, window.count()));
   return out;

@@ -22,10 +22,33 @@ struct PayloadLikelihood {
   /// Log of the factor in front, up to one that every sensor model of the same window shares: only to compare those.
   Scalar log_factor = Scalar(0);
 
+  /// @param products  precision-weighted products of (y, a, B_x, B_y, B_z), 5x5, symmetric
+  static PayloadLikelihood from_products(const Eigen::Matrix<Scalar, 5, 5>& products) noexcept {
+    PayloadLikelihood l;
+    l.yy = products(0, 0);
+    l.ya = products(0, 1);
+    l.aa = products(1, 1);
+    l.yB = products.template block<3, 1>(2, 0);
+    l.aB = products.template block<3, 1>(2, 1);
+    l.BB = products.template block<3, 3>(2, 2);
+    return l;
+  }
+
   Scalar log_likelihood(const Vector4<Scalar>& theta) const noexcept {
     const Scalar m = theta[0];
     const Vector3<Scalar> r = theta.template tail<3>();
     return Scalar(-0.5) * (yy - 2 * m * (ya + yB.dot(r)) + m * m * (aa + 2 * aB.dot(r) + r.dot(BB * r)));
+  }
+
+  /// L(theta) - L(m = 0): how much better a payload explains the window than an empty hand. Without yy, whose size
+  /// would drown the rest.
+  /// @param[out] gradient  with respect to theta, 4x1
+  Scalar log_likelihood_ratio(const Vector4<Scalar>& theta, Vector4<Scalar>& gradient) const noexcept {
+    const Scalar m = theta[0];
+    const Vector3<Scalar> r = theta.template tail<3>(), aB_BBr = aB + BB * r;
+    const Scalar yt = ya + yB.dot(r), tt = aa + (aB + aB_BBr).dot(r);  // with t = a + B r
+    gradient << yt - m * tt, m * yB - m * m * aB_BBr;
+    return m * yt - Scalar(0.5) * m * m * tt;
   }
 
   bool all_finite() const noexcept {

@@ -146,14 +146,20 @@ class PayloadStatistics {
       total += joint.products;
       log_factor += joint.log_factor;
     }
-    out.yy = total(0, 0);
-    out.ya = total(0, 1);
-    out.aa = total(1, 1);
-    out.yB = total.template block<3, 1>(2, 0);
-    out.aB = total.template block<3, 1>(2, 1);
-    out.BB = total.template block<3, 3>(2, 2);
+    out = PayloadLikelihood<Scalar>::from_products(total.template topLeftCorner<5, 5>());
     out.log_factor = log_factor;
     return Status::Ok;
+  }
+
+  /// The likelihood of a payload if there were no nuisances, and white noise alone.
+  /// @param precision  per joint and sample [1/(N m)^2], > 0
+  PayloadLikelihood<Scalar> white_likelihood(const JointVector<Scalar, Dofs>& precision) const noexcept {
+    Signals total = Signals::Zero();
+    for (int j = 0; j < Dofs; ++j)
+      total += precision[j] * gram_[static_cast<std::size_t>(j)].template topLeftCorner<kSignals, kSignals>();
+    PayloadLikelihood<Scalar> out = PayloadLikelihood<Scalar>::from_products(total.template topLeftCorner<5, 5>());
+    out.log_factor = Scalar(0.5) * static_cast<Scalar>(count_) * precision.array().log().sum();
+    return out;
   }
 
   /// The nuisances themselves, given that the payload is `payload` (an empty hand by default): per joint the posterior

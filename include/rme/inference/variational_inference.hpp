@@ -5,13 +5,14 @@
 #include <cmath>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
+#include <rme/inference/inference_result.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_likelihood.hpp>
 
 namespace rme {
 
 /// log p(y, theta) = L(theta) + log N(theta; prior) with its expectations under a Gaussian. L is a quartic polynomial,
-/// so each expectation is exact (Isserlis): docs/theory.md, "Gaussian variational inference in closed form".
+/// so each expectation is exact (Isserlis): docs/theory.md, "Four solvers".
 template <typename Scalar>
 class ExpectedLogJoint {
  public:
@@ -79,15 +80,8 @@ class ExpectedLogJoint {
   Matrix4<Scalar> prior_precision_;
 };
 
-/// What infer() found.
-template <typename Scalar>
-struct VariationalPosterior {
-  PayloadGaussian<Scalar> posterior;
-  Scalar elbo = Scalar(0);  ///< lower bound of log p(y) + 1/2 yy
-  int iterations = 0;
-};
-
-/// Settings of VariationalInference.
+/// Chooses the full covariance, which is the default: closed form, and honest about the correlation of mass and centre
+/// of mass.
 struct VariationalInferenceConfig {
   int max_iterations = 50;  ///< bound on the work; about 8 are needed
   double tolerance = 1e-4;  ///< stop when a step is below this many posterior standard deviations
@@ -104,7 +98,7 @@ struct VariationalInferenceConfig {
 /// covariance)
 template <typename Scalar>
 Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
-             VariationalPosterior<Scalar>& result,
+             InferenceResult<Scalar>& result,
              const VariationalInferenceConfig& config = VariationalInferenceConfig()) noexcept;
 
 namespace detail {
@@ -125,7 +119,7 @@ Vector4<Scalar> initial_mean(const PayloadLikelihood<Scalar>& l, const Vector4<S
 
 template <typename Scalar>
 Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
-             VariationalPosterior<Scalar>& result, const VariationalInferenceConfig& config) noexcept {
+             InferenceResult<Scalar>& result, const VariationalInferenceConfig& config) noexcept {
   if (!likelihood.all_finite() || !prior.mean.allFinite() || !prior.covariance.allFinite())
     return Status::NonFiniteInput;
   const Eigen::LLT<Matrix4<Scalar>> prior_llt(prior.covariance);
@@ -201,7 +195,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
     q = next;
   }
   result.posterior = {q.mu, q.Sigma};
-  result.elbo = q.elbo;
+  result.log_evidence = q.elbo;
   result.iterations = iteration;
   return status;
 }
