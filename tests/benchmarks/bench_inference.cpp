@@ -117,6 +117,14 @@ int main() {
     sums.add(events[0].samples[i % events[0].samples.size()]);
     return static_cast<double>(sums.count());
   });
+  WindowStatistics<double, kDofs> window(40);
+  measure("WindowStatistics::add, per tick", 20000, 40, [&](std::size_t i) {
+    window.add(events[0].samples[i % events[0].samples.size()]);
+    return static_cast<double>(window.count());
+  });
+  measure("WindowStatistics::about", 20000, 1, [&](std::size_t i) {
+    return static_cast<double>(window.about(Vector3<double>(0, 0, 1e-5 * static_cast<double>(i))).count());
+  });
   measure("payload_regressor with motion, per tick", 20000, 20, [&](std::size_t i) {
     motion.angular_velocity[0] = 1e-3 * static_cast<double>(i % 100);
     const auto regressor =
