@@ -44,8 +44,9 @@ Infers simulated payloads with the network's prior, a zero prior and the fixed o
   --data-sets N     payloads to simulate (default 100)
   --seed N          of everything random (default 1)
   --pose NAME       any (default), or ready: N(0, 0.1 rad) around the ready pose, as in the paper
-  --quick           20 payloads; fails unless the network's prior is better than the zero prior in each coordinate of
-                    the centre of mass, and halves the mean square error along the flange's axis
+  --quick           60 payloads; fails unless the network's prior halves the zero prior's mean square error along the
+                    flange's axis, and is better in each coordinate of the centre of mass under the published
+                    likelihood, where a guess that is off does harm
   --output DIR      write data_sets.csv there; the folder is made if need be. plot.py draws it
   --help            this text
 
@@ -76,7 +77,7 @@ Options parse(int argc, char** argv) {
       throw ArgumentError(std::string(option) + ": must be a whole number of at most 1e6");
     return value;
   };
-  options.data_sets = static_cast<std::size_t>(whole("--data-sets", options.quick ? 20 : 100, 1));
+  options.data_sets = static_cast<std::size_t>(whole("--data-sets", options.quick ? 60 : 100, 1));
   options.seed = static_cast<std::uint64_t>(whole("--seed", 1, 0));
   const std::string pose = arguments.text("--pose").value_or("any");
   if (pose != "any" && pose != "ready") throw ArgumentError("--pose: \"" + pose + "\" is none of any, ready");
@@ -261,10 +262,9 @@ int main(int argc, char** argv) {
     print("network alone", guesses, false);
     std::printf("(%zu windows were beyond what it has learned from: the fixed prior stood in)\n",
                 data.size() - guesses.size());
-    const MeanSquares ratio = print(data, kEstimator);
-    print(data, kPublished);
+    const MeanSquares estimator = print(data, kEstimator), published = print(data, kPublished);
     if (options.output) write_csv(options, data);
-    return !options.quick || (ratio[1] > 1 && ratio[2] > 1 && ratio[3] >= 2) ? 0 : 1;
+    return !options.quick || (estimator[3] >= 2 && published.tail<3>().minCoeff() > 1) ? 0 : 1;
   } catch (const ArgumentError& error) {
     std::fprintf(stderr, "rme_prior_ablation: %s\n\n%s", error.what(), kUsage);
     return 2;
