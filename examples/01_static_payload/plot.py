@@ -50,7 +50,7 @@ def draw(folder, picture):
     attached = on["t"][np.argmax(on["m"] > 0)]
 
     plt.rcParams.update({"font.size": 10, "axes.spines.top": False, "axes.spines.right": False})
-    figure, (above, below) = plt.subplots(2, 1, figsize=(7.2, 5.2), sharex=True, constrained_layout=True)
+    figure, (above, middle, below) = plt.subplots(3, 1, figsize=(7.2, 6.6), sharex=True, constrained_layout=True)
     above.plot(off["t"], 1e3 * norm(off, error), color=WITHOUT, label="without compensation")
     above.plot(on["t"], 1e3 * norm(on, error), color=WITH, label="with compensation")
     above.set_ylabel("position error [mm]")
@@ -58,17 +58,25 @@ def draw(folder, picture):
     above.legend(frameon=False, loc="center right")
     above.set_title(f"{on['m'].max():g} kg nobody announced", loc="left")
 
+    known = on["mass"] > 0
+    middle.fill_between(on["t"], on["mass"] - 2 * on["mass_std"], on["mass"] + 2 * on["mass_std"], where=known,
+                        color=WITH, alpha=0.3, linewidth=0)
+    middle.plot(on["t"], on["mass"], color=WITH, linewidth=1.2, label="estimate, 2 std. dev.")
+    middle.plot(on["t"], on["m"], color="black", linestyle="--", linewidth=1, label="truth")
+    middle.set_ylabel("mass [kg]")
+    middle.legend(frameon=False, loc="lower right")
+
     below.plot(on["t"], norm(on, torque), color="black", linewidth=1)
     below.set_ylabel(r"$\Vert\tau_\mathrm{ext}\Vert_2$ [N m]")
     below.set_xlabel("time [s]")
     below.set_ylim(bottom=0)
     for begin, end in collections(on):
-        for axes in (above, below):
+        for axes in (above, middle, below):
             axes.axvspan(begin - DETECTOR_WINDOW, begin, color=DETECTION, linewidth=0)
             axes.axvspan(begin, end, color=COLLECTION, linewidth=0)
         for x, text in ((begin - DETECTOR_WINDOW / 2, "detection"), ((begin + end) / 2, "collection")):
             below.annotate(text, (x, 1.01), xycoords=("data", "axes fraction"), ha="center", fontsize=8)
-    for axes in (above, below):
+    for axes in (above, middle, below):
         axes.axvline(attached, color="grey", linestyle=":", linewidth=1)
         axes.set_xlim(0, on["t"][-1])
     above.annotate("payload appears", (attached, 0.97), xycoords=("data", "axes fraction"), xytext=(-4, 0),

@@ -89,7 +89,8 @@ Options parse(int argc, char** argv) {
 struct Row {
   double t;
   Torque q, dq, tau_ext, compensation;
-  Eigen::Vector3d error;  // flange from its target [m]
+  Eigen::Vector3d error;        // flange from its target [m]
+  double mass, mass_deviation;  // estimated, early or final [kg]; 0 for an empty hand
   rme::Phase phase;
 };
 
@@ -97,6 +98,7 @@ struct Run {
   std::vector<Row> rows;
   rme::Estimate<double> estimate;  // the first one that found something
   double estimate_time = 0;        // of the tick that made it [s]
+  rme::Estimate<double> early;     // the first early one
 
   double error_at(double t) const { return rows[static_cast<std::size_t>(std::lround(t / kPeriod))].error.norm(); }
   double worst_error() const {
@@ -129,12 +131,15 @@ Run simulate(const Options& options, bool compensate) {
     Torque tau = controller.torque(arm.q(), arm.dq(), arm.kinematics(), arm.dynamics());
     if (compensate) tau += ramp.torque();
 
+    const rme::Estimate<double>& estimate = estimator.estimate();
+    if (estimator.refreshed() && run.early.empty) run.early = estimate;
     if (estimator.estimated() && run.estimate.empty) {
-      run.estimate = estimator.estimate();
+      run.estimate = estimate;
       run.estimate_time = elapsed;
     }
     run.rows.push_back({arm.time(), arm.q(), arm.dq(), arm.tau_ext(),
                         compensate ? ramp.torque() : Torque::Zero().eval(), controller.position_error(arm.kinematics()),
+                        estimate.payload().mass, estimate.empty ? 0 : estimate.posterior.standard_deviation()[0],
                         estimator.phase()});
     arm.step(tau);
   }
@@ -148,14 +153,15 @@ void write_csv(const std::filesystem::path& path, const Run& run, const RigidBod
   file << "t";
   for (const char* name : {"q", "dq", "tau_ext", "tau_comp"})
     for (int i = 1; i <= 7; ++i) file << ',' << name << i;
-  file << ",error_x,error_y,error_z,m,rx,ry,rz,phase\n";
+  file << ",error_x,error_y,error_z,m,rx,ry,rz,mass,mass_std,phase\n";
   const Eigen::IOFormat cells(Eigen::StreamPrecision, Eigen::DontAlignCols, ",", ",");
   for (const Row& row : run.rows) {
     file << row.t;
     for (const Torque* v : {&row.q, &row.dq, &row.tau_ext, &row.compensation}) file << ',' << v->format(cells);
     Eigen::Vector4d truth = Eigen::Vector4d::Zero();
     if (row.t > kAttach - kPeriod / 2) truth << payload.mass, payload.com;
-    file << ',' << row.error.format(cells) << ',' << truth.format(cells) << ',' << rme::to_string(row.phase) << '\n';
+    file << ',' << row.error.format(cells) << ',' << truth.format(cells) << ',' << row.mass << ',' << row.mass_deviation
+         << ',' << rme::to_string(row.phase) << '\n';
   }
   if (!file.flush()) throw ArgumentError("--output: cannot write " + path.string());
 }
@@ -170,9 +176,15 @@ void print(const Options& options, const Run& with, const Run& without) {
     std::printf("  centre of mass %c  mm   %7.1f    %7.1f     %7.1f\n", "xyz"[i], 1e3 * truth.com[i], 1e3 * mean[i + 1],
                 1e3 * deviation[i + 1]);
   }
-  std::printf("\ndetected after     %6.0f ms\n", 1e3 * (estimate.detected_at - kAttach));
-  std::printf("compensated after  %6.0f ms\n", 1e3 * (estimate.window_end - kAttach));
-  std::printf("the estimate took  %6.0f us (the whole tick, from %.0f samples)\n", 1e6 * with.estimate_time,
+  std::printf("\n");
+  if (!with.early.empty) {
+    std::printf("noticed after        %6.0f ms\n", 1e3 * (with.early.detected_at - kAttach));
+    std::printf("compensated after    %6.0f ms, by an early estimate of %.3f kg\n",
+                1e3 * (with.early.window_end - kAttach), with.early.posterior.mean[0]);
+  }
+  std::printf("settled after        %6.0f ms\n", 1e3 * (estimate.detected_at - kAttach));
+  std::printf("final estimate after %6.0f ms; it took %.0f us (the whole tick, from %.0f samples)\n",
+              1e3 * (estimate.window_end - kAttach), 1e6 * with.estimate_time,
               (estimate.window_end - estimate.window_begin) / kPeriod);
   std::printf("\nposition error             before    at worst   %.0f s after\n", kLater);
   for (const auto& [name, run] :

@@ -23,7 +23,8 @@ struct ReplayOptions {
 /// One estimate, in the log's own time.
 struct ReplayedEstimate {
   int event = 0;
-  double t = 0;  ///< when a live host would have had it [s]
+  bool final = true;  ///< else early: the change was still going on
+  double t = 0;       ///< when a live host would have had it [s]
   std::optional<double> detected_at;
   double window_begin = 0, window_end = 0;
   PayloadGaussian<double> posterior;
@@ -41,7 +42,7 @@ struct ReplayedRejection {
 
 struct ReplaySummary {
   std::size_t samples = 0;
-  int estimates = 0;
+  int estimates = 0;  ///< final ones
   int rejected = 0;
 };
 
@@ -113,12 +114,14 @@ ReplaySummary replay(const Log<7>& log, const ReplayOptions& options, const Prio
       ++summary.rejected;
       report(ReplayedRejection{log.t[i], log.t[row(estimator.detected_at() - dt)], estimator.verdict()});
     }
-    if (!estimator.estimated()) continue;
+    if (!estimator.estimated() && !estimator.refreshed()) continue;
     const auto& estimate = estimator.estimate();
     ReplayedEstimate out;
-    out.event = summary.estimates++;
+    out.event = summary.estimates;
+    out.final = estimate.final;
+    if (estimate.final) ++summary.estimates;
     out.t = log.t[i];
-    if (!options.at) out.detected_at = log.t[row(estimator.detected_at() - dt)];
+    if (!options.at) out.detected_at = log.t[row(estimate.detected_at - dt)];
     out.window_begin = log.t[row(estimate.window_begin)];
     out.window_end = log.t[i];
     out.posterior = estimate.posterior;
@@ -126,7 +129,7 @@ ReplaySummary replay(const Log<7>& log, const ReplayOptions& options, const Prio
     out.elapsed_us = elapsed.count();
     if (!log.truth.empty()) out.truth = &log.truth[i];
     report(out);
-    if (options.at) break;
+    if (options.at && estimate.final) break;
   }
   return summary;
 }

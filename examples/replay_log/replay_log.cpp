@@ -2,12 +2,14 @@
 //
 // Reads a CSV log (plain or gzip) of a Franka Panda; columns by their names: t, q1..q7 and tau_ext1..7, or tau1..7
 // (measured torque, gravity included) with dq1..7; dq1..7 and the truth m, rx, ry, rz if there. Prints each estimate,
-// as a table or with --json as one JSON object per line. Exit codes: 0; 2 unusable arguments; 3 unreadable log.
+// as a table (of the early ones the first) or with --json as one JSON object per line. Exit codes: 0; 2 unusable
+// arguments; 3 unreadable log.
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "replay_log/options.hpp"
 
@@ -41,7 +43,7 @@ ordered_json to_json(const ReplayedEstimate& e) {
   ordered_json out;
   out["type"] = "estimate";
   out["event"] = e.event;
-  out["final"] = true;
+  out["final"] = e.final;
   out["t"] = e.t;
   out["detected_at"] = e.detected_at ? ordered_json(*e.detected_at) : ordered_json(nullptr);
   out["window"] = {e.window_begin, e.window_end};
@@ -51,6 +53,7 @@ ordered_json to_json(const ReplayedEstimate& e) {
   out["covariance"] = covariance;
   out["log_odds"] = e.verdict.log_odds();
   out["elapsed_us"] = e.elapsed_us;
+  out["excess"] = e.verdict.excess;
   out["truth"] = e.truth ? ordered_json(vector(*e.truth)) : ordered_json(nullptr);
   return out;
 }
@@ -75,12 +78,14 @@ void print_row(const ReplayedRejection& r) {
 }
 
 void print_row(const ReplayedEstimate& e) {
+  static int early_of = -1;  // the event of which an early estimate has been printed; one is enough to read
+  if (!e.final && std::exchange(early_of, e.event) == e.event) return;
   const auto& p = e.posterior;
   const rme::Vector4<double> sd = p.standard_deviation();
   std::printf("%5d %8.3f %8.3f  %7.3f +- %5.3f", e.event, e.detected_at.value_or(e.window_begin), e.t, p.mean[0],
               sd[0]);
   for (int i = 1; i < 4; ++i) std::printf("  %7.1f +- %5.1f", 1e3 * p.mean[i], 1e3 * sd[i]);
-  std::printf("  %8.1f  (log odds %.1f)\n", e.elapsed_us, e.verdict.log_odds());
+  std::printf("  %8.1f  (%slog odds %.1f)\n", e.elapsed_us, e.final ? "" : "early, ", e.verdict.log_odds());
   if (!e.truth) return;
   std::printf("%5s %8s %8s  %7.3f %8s", "", "", "truth", (*e.truth)[0], "");
   for (int i = 1; i < 4; ++i) std::printf("  %7.1f %8s", 1e3 * (*e.truth)[i], "");

@@ -2,15 +2,20 @@
 // estimator.
 //
 // Takes any number of logs with the truth columns m, rx, ry, rz, and the options of replay_log. Each change of the
-// truth is an event; the first estimate after it and before the next one is its estimate. With --at-attach D the
+// truth is an event; the first final estimate after it and before the next one is its estimate. With --at-attach D the
 // estimate is made from the samples that begin D seconds after the log's first change, without the detector. Prints,
 // over all events that left something in the hand: mean absolute and rms error, how often the 90 % interval holds the
 // truth and its mean half width, for the mass, each coordinate of the centre of mass and its part across gravity (the
-// part along it cannot be seen at rest).
+// part along it cannot be seen at rest). With the early estimates it says when the mass came within a twentieth, or a
+// tenth, of the truth and stayed there.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "replay_log/options.hpp"
@@ -21,10 +26,13 @@ using namespace rme::examples;
 
 constexpr double kNinety = 1.6448536269514722;  // half width of a Gaussian's 90 % interval [standard deviations]
 
+constexpr std::array<double, 2> kTolerances = {0.05, 0.1};  // of the mass
+
 struct Scored {
   Eigen::Vector4d truth, error, deviation;
-  double across;  // error of the centre of mass across gravity [m]
-  double delay;   // from the change to the estimate [s]
+  double across;                  // error of the centre of mass across gravity [m]
+  double delay;                   // from the change to the estimate [s]
+  std::array<double, 2> settled;  // from the change until the mass was good and stayed so, per kTolerances [s]
 };
 
 struct Scores {
@@ -39,7 +47,16 @@ void score(const Log<7>& log, const ReplayRequest& request, Scores& scores) {
   for (std::size_t i = 1; i < log.size(); ++i)
     if (log.truth[i] != log.truth[i - 1]) changes.push_back(i);
   std::vector<bool> answered(changes.size(), false);
+  std::array<std::optional<double>, kTolerances.size()> good_since;  // of the event that is going on [s]
   const auto on_estimate = [&](const ReplayedEstimate& e) {
+    for (std::size_t i = 0; i < kTolerances.size(); ++i) {
+      const bool good = std::abs(e.posterior.mean[0] - (*e.truth)[0]) <= kTolerances[i] * (*e.truth)[0];
+      if (!good) good_since[i].reset();
+      if (good && !good_since[i]) good_since[i] = e.t;
+    }
+    if (!e.final) return;
+    const auto since = good_since;
+    good_since = {};
     std::size_t event = changes.size();
     for (std::size_t k = 0; k < changes.size(); ++k)
       if (log.t[changes[k]] <= e.t) event = k;
@@ -53,6 +70,8 @@ void score(const Log<7>& log, const ReplayRequest& request, Scores& scores) {
     s.error = e.posterior.mean - s.truth;
     s.deviation = e.posterior.standard_deviation();
     s.delay = e.t - log.t[changes[event]];
+    for (std::size_t i = 0; i < kTolerances.size(); ++i)
+      s.settled[i] = since[i] ? *since[i] - log.t[changes[event]] : std::numeric_limits<double>::infinity();
     const auto row = static_cast<std::size_t>(std::lower_bound(log.t.begin(), log.t.end(), e.t) - log.t.begin());
     const Eigen::Vector3d down =
         panda().kinematics(log.q[row]).rotation.transpose() * panda().gravity_vector.normalized();
@@ -99,6 +118,15 @@ void print(const Scores& scores) {
       "the change on average\n",
       scores.found.size(), n, scores.missed, scores.surplus, scores.rejected,
       1e3 * delay / static_cast<double>(scores.found.size()));
+  for (std::size_t i = 0; n > 0 && i < kTolerances.size(); ++i) {
+    std::vector<double> settled;
+    for (const Scored& s : scores.found)
+      if (s.truth[0] > 0) settled.push_back(s.settled[i]);
+    const auto middle = settled.begin() + static_cast<std::ptrdiff_t>(settled.size() / 2);
+    std::nth_element(settled.begin(), middle, settled.end());
+    std::printf("mass within %.0f %% for good: %.0f ms after the change (median), %.0f ms (worst)\n",
+                100 * kTolerances[i], 1e3 * *middle, 1e3 * *std::max_element(settled.begin(), settled.end()));
+  }
   if (n < static_cast<int>(scores.found.size()))
     std::printf("empty hand: at most %.1f g were still seen\n", 1e3 * left);
 }

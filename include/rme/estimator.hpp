@@ -6,20 +6,18 @@
 #include <cstdint>
 #include <rme/control/compensation.hpp>
 #include <rme/core/payload.hpp>
-#include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
+#include <rme/estimator_config.hpp>
 #include <rme/inference/event_inference.hpp>
 #include <rme/inference/fixed_prior.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_statistics.hpp>
-#include <rme/inference/sensor_model.hpp>
-#include <rme/inference/variational_inference.hpp>
+#include <rme/inference/window_statistics.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/onset.hpp>
 #include <rme/sensing/proprioception.hpp>
 #include <rme/sensing/sample_window.hpp>
-#include <vector>
 
 namespace rme {
 
@@ -45,45 +43,15 @@ constexpr const char* to_string(Phase phase) noexcept {
   return "unknown";
 }
 
-/// Which torque the arm reports as external.
-enum class TorqueSign : std::int8_t {
-  External = 1,   ///< what the environment exerts on the arm (the convention of rme)
-  Reaction = -1,  ///< what the arm exerts on the environment
-};
-
-/// Settings of Estimator; the defaults suit a seven-joint arm of the Panda's size at any rate. docs/tuning.md
-template <typename Scalar, int Dofs>
-struct EstimatorConfig {
-  Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
-  TorqueSign torque_sign = TorqueSign::External;
-  MismatchDetectorConfig detector;
-  /// Watch the norm of tau_ext, as published, in place of every joint's torque less the known payload's.
-  bool watch_norm = false;
-  SampleWindowConfig window;
-  /// What the arm's torque sensing is like; several are averaged by their evidence, event by event. At least one.
-  std::vector<SensorModel<Scalar, Dofs>> sensors = {SensorModel<Scalar, Dofs>::link_side(),
-                                                    SensorModel<Scalar, Dofs>::joint_friction()};
-  double collection = 0.2;        ///< how long samples are gathered after the detection [s], > 0
-  double baseline = 0.3;          ///< length of the quiet window before the change [s], >= 0; 0 uses none
-  double baseline_guard = 0.02;   ///< between the quiet window and the change [s], >= 0
-  double onset_span = 0.01;       ///< of the means whose difference finds the instant of the change [s], > 0
-  double onset_jump = 0.4;        ///< a smaller step is no onset [N m], > 0
-  double onset_guard = 0.04;      ///< after the change: samples left out while the observer catches up [s], >= 0
-  double unrest = 0.8;            ///< a collection in which the torque changes by more starts again [N m], > 0
-  double gyration_radius = 0.03;  ///< of a payload about its own centre of mass, roughly [m], >= 0
-  PushPrior push;                 ///< what a change may be that is no payload
-  VariationalInferenceConfig inference;
-
-  /// @throws std::invalid_argument naming the field out of range
-  void validate(double dt) const;
-};
-
 /// An estimate and where it comes from. Times count from the estimator's construction or reset [s].
 template <typename Scalar>
 struct Estimate {
   PayloadGaussian<Scalar> posterior;  ///< of everything in the hand, not of what was added last
   bool empty = true;                  ///< nothing in the hand, as far as the torque can tell: the mean is then zero
-  double detected_at = 0;
+  bool final = true;                  ///< from the whole event; else early, while it is still going on
+  /// How much of the change to compensate for, 0 to 1: the odds against a push, times m^2 / (m^2 + std^2). 1 if final.
+  Scalar confidence = Scalar(1);
+  double detected_at = 0;                   ///< when the change had settled; of an early estimate when it was noticed
   double window_begin = 0, window_end = 0;  ///< of the samples used
 
   /// What to compensate for: the posterior's mean, or nothing for an empty hand.
@@ -100,10 +68,15 @@ struct Estimate {
 /// removing it, and returning to an empty hand are the same event to it. While nothing is in the hand, the quiet window
 /// before the event tells the sensor's offset; later events reuse it.
 ///
-/// Real time: no call but the constructor allocates or throws. update() is O(Dofs) while watching and collecting; on
-/// the tick that completes a collection it passes at most twice over the samples since the onset, then runs the
-/// inference.
-/// @tparam PriorSource  callable (const SampleWindow&, size_t count) -> PayloadGaussian, noexcept
+/// While a change settles and is collected, early estimates refresh every few milliseconds, and compensation() follows
+/// them as far as they can be trusted. One final estimate, or a rejection, ends the event.
+///
+/// Real time: no call but the constructor allocates or throws. update() is O(Dofs) on most ticks; one that makes an
+/// estimate runs the inference, whose cost does not depend on the length of the window. The tick that notices a change,
+/// and those that place its onset anew, pass over at most the detector's window.
+/// @tparam PriorSource  callable (const SampleWindow&, size_t count) -> PayloadGaussian, noexcept; count: how many of
+/// the
+///                      newest samples have been collected since the change settled, fewer than all if early
 template <typename Scalar, int Dofs, typename PriorSource = FixedPrior<Scalar>>
 class Estimator {
  public:
@@ -126,20 +99,21 @@ class Estimator {
   void tare(double duration) noexcept;
 
   Phase phase() const noexcept { return phase_; }
-  /// The latest estimate; an empty hand before the first.
-  const Estimate<Scalar>& estimate() const noexcept { return estimate_; }
-  /// True on the tick that made an estimate.
+  /// The latest estimate, early ones included; an empty hand before the first.
+  const Estimate<Scalar>& estimate() const noexcept { return latest_; }
+  /// True on the tick that made a final estimate.
   bool estimated() const noexcept { return phase_ == Phase::Estimating; }
-  /// True on the tick that found a change to be no payload: estimate() is still the one before.
+  /// True on the tick that made an early one.
+  bool refreshed() const noexcept { return refreshed_; }
+  /// True on the tick that found a change to be no payload: estimate() is the final one of the event before.
   bool rejected() const noexcept { return rejected_; }
   /// When the last collection began [s].
   double detected_at() const noexcept { return detected_at_; }
-  /// What the last collection was judged to be.
+  /// What the window of the last estimate, or of the last attempt at one, was judged to be.
   const Verdict<Scalar>& verdict() const noexcept { return verdict_; }
-  /// tau_comp = -J^T w(payload) [N m]; zero for an empty hand. Pass it through a CompensationRamp.
-  Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
-    return compensation_torque<Scalar, Dofs>(estimate_.payload(), jacobian, rotation, config_.gravity);
-  }
+  /// tau_comp = -J^T w(payload) [N m]; zero for an empty hand. While an estimate is early, its confidence's share of
+  /// the way from the payload before to the new one. Pass it through a CompensationRamp.
+  Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept;
   /// Seconds since construction or reset.
   double time() const noexcept { return static_cast<double>(ticks_) * dt_; }
   const MismatchDetector<Dofs>& detector() const noexcept { return detector_; }
@@ -149,26 +123,40 @@ class Estimator {
 
  private:
   using Statistics = PayloadStatistics<Scalar, Dofs>;
+  using Signal = Eigen::Matrix<double, Dofs, 1>;
 
   std::size_t ticks_of(double seconds) const noexcept { return static_cast<std::size_t>(std::lround(seconds / dt_)); }
-  double time_of(std::size_t age) const noexcept { return time() - static_cast<double>(age) * dt_; }
+  double time_of(std::uint64_t tick) const noexcept { return static_cast<double>(tick) * dt_; }
+  Phase resting_phase() const noexcept { return known_.empty ? Phase::Watching : Phase::Compensating; }
   bool is_onset(const Onset<Scalar>& onset) const noexcept {
     return onset.sharp() && onset.jump > static_cast<Scalar>(config_.onset_jump);
   }
-  using Signal = Eigen::Matrix<double, Dofs, 1>;
+  bool refresh_due(std::size_t since) const noexcept {
+    return config_.refresh > 0 && since > 0 && since % ticks_of(config_.refresh) == 0;
+  }
+  PayloadRegressor<Scalar, Dofs> regressor(const Sample<Scalar, Dofs>& sample) const noexcept {
+    return payload_regressor<Scalar, Dofs>(sample.raw.jacobian, sample.raw.rotation, config_.gravity, sample.motion,
+                                           static_cast<Scalar>(config_.gyration_radius));
+  }
+  PayloadObservation<Scalar, Dofs> observation(std::size_t age) const noexcept {
+    const Sample<Scalar, Dofs>& sample = window_.newest(age);
+    return {sample.tau, regressor(sample), sample.direction, sample.raw.dq};
+  }
   Signal watched(std::size_t age) const noexcept;
   Signal level(std::size_t newest) const noexcept;
-  bool changed() noexcept;
+
+  void watch() noexcept;
+  void begin_change() noexcept;
   void remember_quiet(std::size_t quiet_age) noexcept;
-  PayloadRegressor<Scalar, Dofs> regressor(const Sample<Scalar, Dofs>& sample,
-                                           const Vector3<Scalar>& com) const noexcept {
-    return payload_regressor<Scalar, Dofs>(sample.raw.jacobian, sample.raw.rotation, config_.gravity, sample.motion,
-                                           com, static_cast<Scalar>(config_.gyration_radius));
-  }
-  void begin_collection(bool triggered) noexcept;
   void learn_baseline(std::size_t newest, std::size_t count) noexcept;
-  Statistics statistics(std::size_t oldest, std::size_t newest, const Vector3<Scalar>& com_guess) const noexcept;
+  void locate_onset() noexcept;
+  void begin_collection(bool triggered) noexcept;
+  void collect() noexcept;
+  void forget_event() noexcept;
+  Statistics event_about(const Vector3<Scalar>& com_guess) const noexcept;
+  void make_early_estimate() noexcept;
   void make_estimate() noexcept;
+  void store(Estimate<Scalar>& estimate, const PayloadGaussian<Scalar>& posterior, bool empty, bool final) noexcept;
 
   Config config_;
   PriorSource prior_;
@@ -176,42 +164,33 @@ class Estimator {
   MismatchDetector<Dofs> detector_;
   SampleWindow<Scalar, Dofs> window_;
   EventInference<Scalar, Dofs> inference_;
-  int block_ = 1;  // ticks that are averaged before they enter the sums
+  int block_;  // ticks that are averaged before they enter the sums
   Phase phase_ = Phase::Watching;
-  Estimate<Scalar> estimate_;
-  Verdict<Scalar> verdict_;
   std::uint64_t ticks_ = 0;
-  std::size_t collected_ = 0;  // samples since the collection began
-  std::size_t onset_age_ = 0;  // at its beginning: samples before it that belong to the event
-  static constexpr int kMaxRestarts = 5;
-  int restarts_ = 0;        // of this collection
-  bool triggered_ = false;  // by the host, not by the detector
+  Estimate<Scalar> known_;   // the last final one: what was in the hand before the event
+  Estimate<Scalar> latest_;  // the same between events, an early one within
+  Verdict<Scalar> verdict_;
+  bool refreshed_ = false, rejected_ = false;
   bool tared_ = false;
-  bool rejected_ = false;
   bool pushed_ = false;  // the last change was a push: what follows it is no baseline
-  double detected_at_ = 0;
-  bool changing_ = false;                 // a change has begun; it may not have settled yet
-  Signal level_before_ = Signal::Zero();  // of the watched signal, before it
-};
 
-template <typename Scalar, int Dofs>
-void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
-  detail::require(dt > 0 && std::isfinite(dt), "Estimator::dt", "> 0 s", dt);
-  detail::require(gravity.allFinite() && gravity.norm() > 0, "EstimatorConfig::gravity", "finite and not zero",
-                  gravity.norm());
-  detail::require(collection >= 2 * dt, "EstimatorConfig::collection", ">= 2 samples [s]", collection);
-  detail::require(baseline >= 0, "EstimatorConfig::baseline", ">= 0 s", baseline);
-  detail::require(baseline_guard >= 0, "EstimatorConfig::baseline_guard", ">= 0 s", baseline_guard);
-  detail::require(onset_span >= dt, "EstimatorConfig::onset_span", ">= 1 sample [s]", onset_span);
-  detail::require(onset_jump > 0, "EstimatorConfig::onset_jump", "> 0 N m", onset_jump);
-  detail::require(onset_guard >= 0, "EstimatorConfig::onset_guard", ">= 0 s", onset_guard);
-  detail::require(unrest > 0, "EstimatorConfig::unrest", "> 0 N m", unrest);
-  detail::require(gyration_radius >= 0, "EstimatorConfig::gyration_radius", ">= 0 m", gyration_radius);
-  detail::require(detector.window > 0, "MismatchDetectorConfig::window", "> 0 s", detector.window);
-  const double needed = detector.window + std::max(collection, baseline + baseline_guard) + 2 * dt;
-  detail::require(window.duration >= needed, "SampleWindowConfig::duration",
-                  "at least the detector's window + the longer of collection and baseline", window.duration);
-}
+  // The event that is going on.
+  bool changing_ = false;                 // a change has begun; it may not have settled yet
+  std::uint64_t change_tick_ = 0;         // when it began, roughly
+  Signal level_before_ = Signal::Zero();  // of the watched signal, before it
+  double noticed_at_ = 0, detected_at_ = 0;
+  bool onset_known_ = false;
+  std::uint64_t onset_tick_ = 0;            // of the first sample after the step
+  std::uint64_t first_tick_ = 0;            // of the first one that is used
+  WindowStatistics<Scalar, Dofs> event_;    // since the onset, until the change has settled
+  WindowStatistics<Scalar, Dofs> settled_;  // since then
+  std::uint64_t settled_tick_ = 0;          // of its first sample
+  std::size_t collected_ = 0;               // samples since the collection began
+  std::size_t steady_ = 0;                  // ticks for which early estimates have looked like a payload
+  bool triggered_ = false;                  // by the host, not by the detector
+  static constexpr int kMaxRestarts = 5;
+  int restarts_ = 0;  // of this collection
+};
 
 template <typename Scalar, int Dofs, typename PriorSource>
 Estimator<Scalar, Dofs, PriorSource>::Estimator(double dt, const Config& config, const PriorSource& prior)
@@ -220,24 +199,36 @@ Estimator<Scalar, Dofs, PriorSource>::Estimator(double dt, const Config& config,
       dt_(dt),
       detector_(dt, config.detector),
       window_(dt, config.window),
-      inference_(Scalar(dt), config.sensors, config.push, config.inference) {
-  double shortest = config.collection;
-  for (const auto& sensor : config.sensors)
-    shortest = std::min(shortest, 2 * static_cast<double>(sensor.noise_correlation_time));
-  block_ = static_cast<int>(std::max<std::size_t>(1, ticks_of(shortest)));
-}
+      inference_(Scalar(dt), config.sensors, config.push, config.inference, config.learn_noise),
+      block_(static_cast<int>(std::max<std::size_t>(
+          1, ticks_of(std::min(config.collection, 2 * double(config.sensors.front().noise_correlation_time)))))),
+      event_(block_),
+      settled_(block_) {}
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::reset() noexcept {
   detector_.reset();
   window_.reset();
   inference_.forget_baseline();
+  forget_event();
   phase_ = Phase::Watching;
-  estimate_ = Estimate<Scalar>();
-  verdict_ = Verdict<Scalar>();
-  detected_at_ = 0;
   ticks_ = 0;
-  tared_ = pushed_ = rejected_ = changing_ = false;
+  known_ = latest_ = Estimate<Scalar>();
+  verdict_ = Verdict<Scalar>();
+  detected_at_ = noticed_at_ = 0;
+  refreshed_ = rejected_ = tared_ = pushed_ = false;
+}
+
+template <typename Scalar, int Dofs, typename PriorSource>
+auto Estimator<Scalar, Dofs, PriorSource>::compensation(const Jacobian<Scalar, Dofs>& jacobian,
+                                                        const Matrix3<Scalar>& rotation) const noexcept -> Torque {
+  const auto torque = [&](const Estimate<Scalar>& estimate) {
+    return compensation_torque<Scalar, Dofs>(estimate.payload(), jacobian, rotation, config_.gravity);
+  };
+  const Torque latest = torque(latest_);
+  if (latest_.final) return latest;
+  const Torque known = torque(known_);
+  return known + latest_.confidence * (latest - known);
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -247,31 +238,50 @@ Status Estimator<Scalar, Dofs, PriorSource>::update(const Proprioception<Scalar,
   const Status status = window_.push(sample);
   if (status != Status::Ok) return status;
   ++ticks_;
-  if (phase_ == Phase::Estimating) phase_ = estimate_.empty ? Phase::Watching : Phase::Compensating;
-  rejected_ = false;
-
-  if (phase_ == Phase::Collecting) {
-    if (++collected_ >= ticks_of(config_.collection)) make_estimate();
-    return Status::Ok;
-  }
-  if (detector_.update(watched(0)) == Status::Ok && changed()) begin_collection(false);
+  if (phase_ == Phase::Estimating) phase_ = resting_phase();
+  refreshed_ = rejected_ = false;
+  if (phase_ == Phase::Collecting)
+    collect();
+  else
+    watch();
   return Status::Ok;
 }
 
-/// Whether something has changed and settled. A compliant arm sags under a heavy payload for longer than the detector
-/// looks back: what was before is therefore remembered as soon as the change begins.
 template <typename Scalar, int Dofs, typename PriorSource>
-bool Estimator<Scalar, Dofs, PriorSource>::changed() noexcept {
-  if (detector_.rapid_change() && !changing_) {
-    const std::size_t span = ticks_of(config_.onset_span), window = ticks_of(config_.detector.window);
-    const Onset<Scalar> onset = find_onset(window_, window + 2 * span, span);
-    remember_quiet(is_onset(onset) ? onset.age + 1 : window);
-    changing_ = true;
+void Estimator<Scalar, Dofs, PriorSource>::watch() noexcept {
+  if (detector_.update(watched(0)) != Status::Ok) return;
+  if (detector_.rapid_change() && !changing_) begin_change();
+  if (!changing_) return;
+  if (ticks_ - change_tick_ > window_.capacity()) {  // it does not settle: what was long ago counts no more
+    onset_known_ = false;
+    event_.clear();
   }
-  if (!changing_ || !detector_.stabilised()) return false;
-  if (detector_.rapid_change()) return true;
-  changing_ = (level(0) - level_before_).norm() > config_.detector.activation_threshold;  // or all is as it was
-  return changing_;
+  if (onset_known_ && ticks_ >= first_tick_) event_.add(observation(0));
+  if (refresh_due(ticks_ - change_tick_)) {
+    locate_onset();
+    make_early_estimate();
+  }
+  if (!detector_.stabilised()) return;
+  // A compliant arm sags under a heavy payload for longer than the detector looks back: the level before the change is
+  // then what counts.
+  if (detector_.rapid_change() || (level(0) - level_before_).norm() > config_.detector.activation_threshold) {
+    begin_collection(false);
+  } else {
+    forget_event();  // all is as it was
+    latest_ = known_;
+  }
+}
+
+/// A change has begun.
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::begin_change() noexcept {
+  const std::size_t span = ticks_of(config_.onset_span), window = ticks_of(config_.detector.window);
+  const Onset<Scalar> onset = find_onset(window_, window + 2 * span, span);
+  forget_event();
+  changing_ = true;
+  noticed_at_ = time();
+  change_tick_ = ticks_ - (is_onset(onset) ? onset.age : 0);
+  remember_quiet(is_onset(onset) ? onset.age + 1 : window);
 }
 
 /// Learns from the quiet past, whose newest sample that is sure to be quiet has this age.
@@ -279,7 +289,7 @@ template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::remember_quiet(std::size_t quiet_age) noexcept {
   quiet_age += ticks_of(config_.baseline_guard);
   level_before_ = level(quiet_age);
-  if (estimate_.empty && !tared_ && !pushed_) learn_baseline(quiet_age, ticks_of(config_.baseline));
+  if (known_.empty && !tared_ && !pushed_) learn_baseline(quiet_age, ticks_of(config_.baseline));
 }
 
 /// Mean of the watched signal over the span whose newest sample has this age.
@@ -299,9 +309,8 @@ auto Estimator<Scalar, Dofs, PriorSource>::watched(std::size_t age) const noexce
   const Sample<Scalar, Dofs>& sample = window_.newest(age);
   if (config_.watch_norm)  // in one channel; the others stay zero
     return Signal::Unit(0) * static_cast<double>(sample.raw.tau_ext.norm());
-  if (estimate_.empty) return sample.tau.template cast<double>();
-  const Payload<Scalar> payload = estimate_.payload();
-  return (sample.tau - regressor(sample, payload.com).torque(payload)).template cast<double>();
+  if (known_.empty) return sample.tau.template cast<double>();
+  return (sample.tau - regressor(sample).torque(known_.payload())).template cast<double>();
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -315,103 +324,182 @@ void Estimator<Scalar, Dofs, PriorSource>::tare(double duration) noexcept {
   tared_ = true;
 }
 
-template <typename Scalar, int Dofs, typename PriorSource>
-void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noexcept {
-  const bool interrupted = phase_ == Phase::Collecting;
-  phase_ = Phase::Collecting;
-  collected_ = 0;
-  onset_age_ = 0;
-  restarts_ = 0;
-  triggered_ = triggered;
-  detected_at_ = time();
-  const std::size_t span = ticks_of(config_.onset_span);
-  const Onset<Scalar> onset = find_onset(window_, ticks_of(config_.detector.window) + 2 * span, span);
-  // Where the quiet past ends. After a sharp step that the detector has noticed, every sample counts; of a slow
-  // hand-over only what follows once it has settled.
-  std::size_t quiet_age = triggered ? 0 : ticks_of(config_.detector.window);
-  if (is_onset(onset)) {
-    quiet_age = onset.age + 1;
-    if (!triggered) onset_age_ = quiet_age - std::min(quiet_age, ticks_of(config_.onset_guard));
-  }
-  // The baseline of an interrupted collection, or of a change that has been seen to begin, is from before the change;
-  // a new one might not be.
-  if (!interrupted && !changing_) remember_quiet(quiet_age);
-  changing_ = false;
-}
-
 /// The nuisances of the coming event, from `count` samples of an empty hand, the newest of them of age `newest`.
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::learn_baseline(std::size_t newest, std::size_t count) noexcept {
   const std::size_t oldest = std::min(window_.size(), newest + count);
-  if (oldest > newest)
-    inference_.learn_baseline(statistics(oldest, newest, Vector3<Scalar>::Zero()));
-  else
+  if (oldest <= newest) {
     inference_.forget_baseline();
+    return;
+  }
+  WindowStatistics<Scalar, Dofs> quiet(block_);
+  for (std::size_t age = oldest; age-- > newest;) {
+    const Sample<Scalar, Dofs>& sample = window_.newest(age);
+    quiet.add({sample.tau, PayloadRegressor<Scalar, Dofs>(), sample.direction, sample.raw.dq});
+  }
+  inference_.learn_baseline(quiet.about(Vector3<Scalar>::Zero()));
 }
 
-/// Sums over the samples of ages oldest - 1 down to newest, in means over as long as the noise of SensorModel stays the
-/// same. What varies from tick to tick is averaged out there: it would look like noise of another kind, and the
-/// evidence of the sensor models would be about that.
+/// Nothing is going on.
 template <typename Scalar, int Dofs, typename PriorSource>
-PayloadStatistics<Scalar, Dofs> Estimator<Scalar, Dofs, PriorSource>::statistics(
-    std::size_t oldest, std::size_t newest, const Vector3<Scalar>& com_guess) const noexcept {
-  Statistics sums;
-  PayloadObservation<Scalar, Dofs> mean;
-  int ticks = 0;
-  for (std::size_t age = oldest; age-- > newest;) {
-    const Sample<Scalar, Dofs>& s = window_.newest(age);
-    mean += {s.tau, regressor(s, com_guess), s.direction, s.raw.dq};
-    if (++ticks < block_ && age > newest) continue;
-    mean *= Scalar(1) / Scalar(ticks);
-    sums.add(mean, ticks);
-    mean = PayloadObservation<Scalar, Dofs>();
-    ticks = 0;
+void Estimator<Scalar, Dofs, PriorSource>::forget_event() noexcept {
+  changing_ = onset_known_ = false;
+  steady_ = 0;
+  event_.clear();
+  settled_.clear();
+}
+
+/// Looks for the instant of the change among the samples since it began, or since the host said so, and gathers what
+/// came after it. Of a slow hand-over, which has no such instant, nothing is gathered.
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::locate_onset() noexcept {
+  const std::size_t span = ticks_of(config_.onset_span), lead = 8 * span;
+  const std::size_t range = triggered_ ? collected_ : static_cast<std::size_t>(ticks_ - change_tick_) + lead;
+  if (!triggered_ && range > ticks_of(config_.detector.window) + lead) return;
+  const Onset<Scalar> onset = find_onset(window_, range, span);
+  if (!is_onset(onset)) {
+    if (triggered_) return;
+    onset_known_ = false;
+    event_.clear();
+    return;
   }
+  if (onset.age < span + 2) return;  // the step is not wholly in view yet
+  const std::uint64_t tick = ticks_ - onset.age;
+  if (onset_known_ && tick + span >= onset_tick_ && tick <= onset_tick_ + span) return;  // as before
+  onset_known_ = true;
+  onset_tick_ = tick;
+  first_tick_ = tick + ticks_of(config_.onset_guard);
+  event_.clear();
+  settled_.clear();
+  for (std::uint64_t at = first_tick_; at <= ticks_; ++at)
+    event_.add(observation(static_cast<std::size_t>(ticks_ - at)));
+}
+
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noexcept {
+  // The baseline of a collection that the host interrupts, or of a change that has been seen to begin, is from before
+  // the change; a new one might not be.
+  if (triggered) {
+    if (phase_ != Phase::Collecting && !changing_) remember_quiet(0);
+    forget_event();
+    noticed_at_ = time();
+  }
+  triggered_ = triggered;
+  phase_ = Phase::Collecting;
+  collected_ = 0;
+  restarts_ = 0;
+  detected_at_ = time();
+  settled_tick_ = ticks_ + 1;
+  if (!triggered) locate_onset();
+}
+
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::collect() noexcept {
+  settled_.add(observation(0));
+  if (++collected_ >= ticks_of(config_.collection)) {
+    if (triggered_) locate_onset();  // the weight may have come after the trigger
+    make_estimate();
+  } else if (refresh_due(collected_)) {
+    if (triggered_) locate_onset();
+    make_early_estimate();
+  }
+}
+
+/// All that is known of the event, about a centre of mass.
+template <typename Scalar, int Dofs, typename PriorSource>
+PayloadStatistics<Scalar, Dofs> Estimator<Scalar, Dofs, PriorSource>::event_about(
+    const Vector3<Scalar>& com_guess) const noexcept {
+  Statistics sums = event_.about(com_guess);
+  sums += settled_.about(com_guess);
   return sums;
+}
+
+/// What can be said before the event is over. While the weight is still coming, or a hand is still getting hold, only
+/// the newest samples count, and they must have looked like a payload's for as long again: a push that grows is neither
+/// a payload nor a constant push, and now and then looks like the one rather than the other.
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::make_early_estimate() noexcept {
+  const PayloadGaussian<Scalar> prior = prior_(window_, static_cast<std::size_t>(settled_.count()));
+  const Vector3<Scalar> com_guess = (latest_.final ? prior : latest_.posterior).mean.template tail<3>();
+  const auto gentle = ticks_of(config_.gentle_window);
+  Statistics sums;
+  const bool sharp = onset_known_ || triggered_ || static_cast<std::size_t>(settled_.count()) >= gentle;
+  if (sharp) {
+    sums = event_about(com_guess);
+  } else {
+    WindowStatistics<Scalar, Dofs> newest(block_);
+    for (std::size_t age = std::min(gentle, window_.size()); age-- > 0;) newest.add(observation(age));
+    sums = newest.about(com_guess);
+  }
+  if (static_cast<std::size_t>(sums.count()) < ticks_of(config_.early_window)) return;
+  ModelAverage<Scalar> average;
+  verdict_ = inference_.judge(sums, sums, prior, known_.payload(), window_.newest().raw.jacobian, average);
+  const bool likely = !average.empty() && verdict_.log_odds() > static_cast<Scalar>(config_.early_odds) &&
+                      verdict_.excess < static_cast<Scalar>(config_.early_excess) &&
+                      (verdict_.is_empty() || average.moments().mean[0] > 0);
+  steady_ = likely ? steady_ + ticks_of(config_.refresh) : 0;
+  if (average.empty() || verdict_.log_odds() < 0) {
+    latest_ = known_;
+  } else if (likely && (sharp || steady_ >= gentle)) {
+    using std::exp;
+    store(latest_, average.moments(), verdict_.is_empty(), false);
+    latest_.window_begin = time() - static_cast<double>(sums.count()) * dt_;
+    latest_.confidence = 1 / (1 + exp(-verdict_.log_odds()));
+    const Scalar mass = latest_.posterior.mean[0];
+    if (!latest_.empty) latest_.confidence *= mass * mass / (mass * mass + latest_.posterior.covariance(0, 0));
+    refreshed_ = true;
+  }
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
-  std::size_t collected = std::min(window_.size(), collected_);
-  if (triggered_) {  // the weight may have come after the trigger
-    const Onset<Scalar> onset = find_onset(window_, collected, ticks_of(config_.onset_span));
-    if (is_onset(onset)) collected = onset.age + 1 - std::min(onset.age, ticks_of(config_.onset_guard));
-  } else if (restarts_ < kMaxRestarts && unrest(window_, collected) > Scalar(config_.unrest)) {
+  if (!triggered_ && restarts_ < kMaxRestarts && unrest(window_, collected_) > Scalar(config_.unrest)) {
     ++restarts_;  // something else happens meanwhile: wait until it is over
-    collected_ = onset_age_ = 0;
+    forget_event();
+    changing_ = true;
+    collected_ = 0;
+    settled_tick_ = ticks_ + 1;
     return;
   }
-  const std::size_t count = std::min(window_.size(), collected + onset_age_);
-  const PayloadGaussian<Scalar> prior = prior_(window_, collected);
+  const PayloadGaussian<Scalar> prior = prior_(window_, static_cast<std::size_t>(settled_.count()));
+  Vector3<Scalar> com_guess = (latest_.final ? prior : latest_.posterior).mean.template tail<3>();
   detector_.reset();
-  phase_ = estimate_.empty ? Phase::Watching : Phase::Compensating;  // unless an estimate is made
+  phase_ = resting_phase();  // unless an estimate is made
 
-  // Payload or push is judged by the samples after the change has settled.
-  Vector3<Scalar> com_guess = prior.mean.template tail<3>();
-  const Statistics settled = statistics(collected, 0, com_guess);
-  Statistics sums = statistics(count, collected, com_guess);
-  sums += settled;
-  verdict_ = inference_.judge(settled, sums, prior, estimate_.payload(), window_.newest().raw.jacobian);
-  if (!triggered_ && !verdict_.is_payload()) {
+  // Payload or push is judged by the samples after the change has settled. The estimate is made from all of them, and
+  // once more about the centre of mass found.
+  const Statistics event = event_about(com_guess);
+  const Statistics settled = triggered_ ? event : settled_.about(com_guess);
+  ModelAverage<Scalar> average;
+  verdict_ = inference_.judge(settled, event, prior, known_.payload(), window_.newest().raw.jacobian, average);
+  const bool accepted = (triggered_ || verdict_.is_payload()) && !average.empty();
+  if (accepted) {
+    com_guess = average.moments().mean.template tail<3>();
+    average = inference_.posterior(event_about(com_guess), prior);
+  }
+  if (accepted && !average.empty()) {
+    pushed_ = false;
+    store(known_, average.moments(), verdict_.is_empty(), true);
+    known_.window_begin = time_of(onset_known_ ? first_tick_ : settled_tick_) - dt_;
+    phase_ = Phase::Estimating;
+  } else {
     rejected_ = true;
     pushed_ = verdict_.push > verdict_.unchanged;
-    return;
   }
-  // The estimate is made from all of them. The inertia force is expanded about a centre of mass: first the prior's,
-  // then the one found.
-  ModelAverage<Scalar> average = inference_.posterior(sums, prior);
-  if (average.empty()) return;
-  com_guess = average.moments().mean.template tail<3>();
-  average = inference_.posterior(statistics(count, 0, com_guess), prior);
-  if (average.empty()) return;
-  pushed_ = false;
-  estimate_.posterior = average.moments();
-  estimate_.empty = verdict_.is_empty();
-  if (estimate_.empty) estimate_.posterior.mean.setZero();
-  estimate_.detected_at = detected_at_;
-  estimate_.window_begin = time_of(count);
-  estimate_.window_end = time();
-  phase_ = Phase::Estimating;
+  latest_ = known_;
+  forget_event();
+}
+
+template <typename Scalar, int Dofs, typename PriorSource>
+void Estimator<Scalar, Dofs, PriorSource>::store(Estimate<Scalar>& estimate, const PayloadGaussian<Scalar>& posterior,
+                                                 bool empty, bool final) noexcept {
+  estimate.posterior = posterior;
+  if (empty) estimate.posterior.mean.setZero();
+  estimate.empty = empty;
+  estimate.final = final;
+  estimate.confidence = Scalar(1);
+  estimate.detected_at = final ? detected_at_ : noticed_at_;
+  estimate.window_end = time();
 }
 
 }  // namespace rme

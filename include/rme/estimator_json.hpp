@@ -82,7 +82,13 @@ void visit_fields(Config& c, Visit&& visit, const EstimatorConfig<Scalar, Dofs>*
   visit("onset_jump", c.onset_jump);
   visit("onset_guard", c.onset_guard);
   visit("unrest", c.unrest);
+  visit("refresh", c.refresh);
+  visit("early_window", c.early_window);
+  visit("gentle_window", c.gentle_window);
+  visit("early_odds", c.early_odds);
+  visit("early_excess", c.early_excess);
   visit("gyration_radius", c.gyration_radius);
+  visit("learn_noise", c.learn_noise);
   visit("push", c.push);
   visit("inference", c.inference);
 }
@@ -135,7 +141,7 @@ template <typename Config>
 void read_fields(const nlohmann::json& json, const std::string& path, bool all, Config& out);
 template <typename Scalar, int Dofs>
 void read_field(const nlohmann::json& json, const std::string& path, std::vector<SensorModel<Scalar, Dofs>>& out) {
-  if (!json.is_array() || json.empty()) refuse_field(path, "an array of at least one sensor model", json);
+  if (!json.is_array() || json.empty()) refuse_field(path, "an array of one to four sensor models", json);
   out.clear();
   for (std::size_t i = 0; i < json.size(); ++i) {
     const std::string at = path + "[" + std::to_string(i) + "]";

@@ -21,6 +21,7 @@
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
 #include <rme/estimator.hpp>
+#include <rme/estimator_config.hpp>
 #include <rme/inference/event_evidence.hpp>
 #include <rme/inference/event_inference.hpp>
 #include <rme/inference/exact_posterior.hpp>
@@ -32,6 +33,7 @@
 #include <rme/inference/payload_statistics.hpp>
 #include <rme/inference/sensor_model.hpp>
 #include <rme/inference/variational_inference.hpp>
+#include <rme/inference/window_statistics.hpp>
 #include <rme/network/architecture.hpp>
 #include <rme/network/conv1d.hpp>
 #include <rme/network/linear.hpp>

@@ -116,8 +116,8 @@ int main() {
   });
   measure("payload_regressor with motion, per tick", 20000, 20, [&](std::size_t i) {
     motion.angular_velocity[0] = 1e-3 * static_cast<double>(i % 100);
-    const auto regressor = payload_regressor<double, kDofs>(pose.jacobian, pose.rotation, standard_gravity<double>(),
-                                                            motion, Vector3<double>(0, 0, 0.1), 0.03);
+    const auto regressor =
+        payload_regressor<double, kDofs>(pose.jacobian, pose.rotation, standard_gravity<double>(), motion, 0.03);
     return regressor.a[0] + regressor.B(3, 2);
   });
   measure("PayloadStatistics::likelihood", 20000, 1, [&](std::size_t i) {

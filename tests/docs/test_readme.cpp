@@ -13,7 +13,7 @@ struct RestingArm {
   using Torque = rme::JointVector<double, 7>;
 
   bool wait_for_tick() {
-    if (++tick > 1000) observed += (1 - std::exp(-50 * 0.001)) * (payload_torque() - observed);
+    if (++tick > 1000) observed += 50 * 0.001 * (payload_torque() - observed);
     return tick <= 3000;
   }
   // By hand: w = (0, 0, -9.81, r x mg) with r = (0, 0.05, 0.1), so the moment is (-0.05 * 9.81, 0, 0).

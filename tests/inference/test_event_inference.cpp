@@ -3,6 +3,7 @@
 #include <random>
 #include <rme/core/wrench.hpp>
 #include <rme/inference/event_inference.hpp>
+#include <rme/inference/window_statistics.hpp>
 #include <stdexcept>
 
 #include "support/catch.hpp"
@@ -43,12 +44,12 @@ class Bench {
     const Torque constant = o.regressor.torque(payload) + jacobian_.topRows<3>().transpose() * push + offset_ +
                             model_.stiction.cwiseProduct(normal()) - coulomb_.cwiseProduct(o.direction);
     // Noise that stays the same for twice the correlation time, 40 ticks, and has the model's deviation.
-    Inference::Statistics sums;
-    for (int block = 0; block < 5; ++block) {
-      o.tau = constant + model_.noise.cwiseProduct(normal());
-      sums.add(o, 40);
+    rme::WindowStatistics<double, 7> sums(40);
+    for (int tick = 0; tick < 200; ++tick) {
+      if (tick % 40 == 0) o.tau = constant + model_.noise.cwiseProduct(normal());
+      sums.add(o);
     }
-    return sums;
+    return sums.about(Eigen::Vector3d::Zero());
   }
 
  private:
@@ -64,8 +65,9 @@ class Bench {
   Torque offset_, coulomb_;
 };
 
-Inference inference_of(const std::vector<Model>& models) {
-  return {kPeriod, models, {}, {}};
+/// The noise is the models', unless it is to be learned.
+Inference inference_of(const std::vector<Model>& models, bool learn_noise = false) {
+  return {kPeriod, models, {}, {}, learn_noise};
 }
 Inference default_inference() {
   return inference_of({Model::link_side(), Model::joint_friction()});
@@ -84,7 +86,7 @@ TEST_CASE("EventInference: an object, an empty hand, a push and nothing at all a
     inference.learn_baseline(bench.window({}));
     const auto judge = [&](const Payload& known, const Payload& now, const Eigen::Vector3d& push) {
       const auto window = bench.window(now, push);
-      return inference.judge(window, window, wide_prior(), known, bench.jacobian());
+      return inference.judge(window, wide_prior(), known, bench.jacobian());
     };
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
     struct Case {
@@ -262,6 +264,44 @@ TEST_CASE("EventInference: a setting out of range is refused by name", "[event_i
   CHECK_THROWS_WITH(Inference(kPeriod, models, {}, {0, 1e-4}), contains("VariationalInferenceConfig::max_iterations"));
 }
 
+TEST_CASE("EventInference: a verdict comes with the posterior of the whole event", "[event_inference]") {
+  Bench bench(115, Model::link_side());
+  Inference inference = default_inference();
+  inference.learn_baseline(bench.window({}));
+  const auto settled = bench.window({1.0, {0, 0, 0.1}});
+  auto event = bench.window({1.0, {0, 0, 0.1}});
+  event += settled;
+  rme::ModelAverage<double> given;
+  (void)inference.judge(settled, event, wide_prior(), {}, bench.jacobian(), given);
+  const auto average = inference.posterior(event, wide_prior());
+  REQUIRE_FALSE(given.empty());
+  CHECK(given.log_evidence() == average.log_evidence());
+  CHECK(given.moments().mean == average.moments().mean);
+  CHECK(given.moments().covariance == average.moments().covariance);
+}
+
+TEST_CASE("EventInference: noise beyond the sensor model's widens the posterior as if the model had named it",
+          "[event_inference]") {
+  Model quiet = Model::link_side(), loud = quiet;
+  quiet.noise /= 10;
+  Bench bench(116, loud);
+  const auto window = bench.window({1.0, {0.02, -0.03, 0.1}});
+  rme::ModelAverage<double> average;
+  const auto verdict = inference_of({quiet}, true).judge(window, window, wide_prior(), {}, bench.jacobian(), average);
+  // 35 means of noise of 100 times the variance, less what 4 parameters and 7 offsets take up.
+  CHECK(verdict.excess > 30);
+  CHECK(verdict.excess < 150);
+  Model named = quiet;
+  named.noise *= std::sqrt(verdict.excess);
+  const auto expected = inference_of({named}).posterior(window, wide_prior());
+  CHECK((average.moments().mean - expected.moments().mean).norm() < 1e-9);
+  CHECK((average.moments().covariance - expected.moments().covariance).norm() < 1e-9);
+  CHECK(average.log_evidence() == Approx(expected.log_evidence()));
+  // Less noise than the model's changes nothing: it may be chance.
+  const auto calm = inference_of({loud}, true).judge(Bench(117, quiet).window({}), wide_prior(), {}, bench.jacobian());
+  CHECK(calm.excess == 1);
+}
+
 TEST_CASE("EventInference: what cannot be inferred leaves the average empty and the verdict unchanged",
           "[event_inference]") {
   Bench bench(114, Model::link_side());
@@ -270,7 +310,10 @@ TEST_CASE("EventInference: what cannot be inferred leaves the average empty and 
   prior.covariance.setZero();
   const auto window = bench.window({1.0, {0, 0, 0.1}});
   CHECK(inference.posterior(window, prior).empty());
-  const auto verdict = inference.judge(window, window, prior, {}, bench.jacobian());
+  rme::ModelAverage<double> posterior;
+  posterior.add(wide_prior(), 0);
+  const auto verdict = inference.judge(window, window, prior, {}, bench.jacobian(), posterior);
+  CHECK(posterior.empty());
   CHECK_FALSE(verdict.is_payload());
   CHECK(verdict.unchanged > verdict.push);
 }
@@ -280,10 +323,9 @@ static_assert(noexcept(std::declval<Inference&>().learn_baseline(std::declval<co
 static_assert(noexcept(std::declval<Inference&>().forget_baseline()));
 static_assert(noexcept(std::declval<const Inference&>().posterior(
     std::declval<const Statistics&>(), std::declval<const rme::PayloadGaussian<double>&>())));
-static_assert(noexcept(std::declval<const Inference&>().judge(std::declval<const Statistics&>(),
-                                                              std::declval<const Statistics&>(),
-                                                              std::declval<const rme::PayloadGaussian<double>&>(),
-                                                              std::declval<const Payload&>(),
-                                                              std::declval<const rme::Jacobian<double, 7>&>())));
+static_assert(noexcept(std::declval<const Inference&>().judge(
+    std::declval<const Statistics&>(), std::declval<const Statistics&>(),
+    std::declval<const rme::PayloadGaussian<double>&>(), std::declval<const Payload&>(),
+    std::declval<const rme::Jacobian<double, 7>&>(), std::declval<rme::ModelAverage<double>&>())));
 
 }  // namespace

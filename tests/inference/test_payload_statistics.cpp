@@ -121,7 +121,7 @@ TEST_CASE("payload_regressor: a carried payload pushes back with Newton's and Eu
     const Eigen::Vector3d force = payload.mass * (g - a_c);
     const Eigen::Vector3d moment = p.cross(force) - payload.mass * gyration * gyration * motion.angular_acceleration;
     const Eigen::VectorXd expected = J.transpose() * rme::Wrench<double>{force, moment}.vector();
-    const auto regressor = rme::payload_regressor<double, 7>(J, R, g, motion, payload.com, gyration);
+    const auto regressor = rme::payload_regressor<double, 7>(J, R, g, motion, gyration);
     CHECK((regressor.torque(payload) - expected).norm() < 1e-12 * expected.norm());
   }
 }

@@ -65,6 +65,23 @@ TEST_CASE("find_onset: a slow hand-over is not sharp", "[onset]") {
   CHECK_FALSE(onset.sharp());
 }
 
+TEST_CASE("find_onset: noise and swaying have no sharp onset", "[onset]") {
+  const unsigned seed = 71;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> n;
+  for (int k = 0; k < 200; ++k) {
+    CAPTURE(k);
+    const double frequency = 0.005 + 0.0001 * k;  // 5 to 25 rad/s
+    const Window noise =
+        window_of(200, [&](std::size_t) { return Torque(Torque::NullaryExpr([&] { return n(random); })); });
+    CHECK_FALSE(rme::find_onset(noise, 200, 10).sharp());
+    const Window sway =
+        window_of(200, [&](std::size_t age) { return Torque(std::sin(frequency * double(age) + k) * direction()); });
+    CHECK_FALSE(rme::find_onset(sway, 200, 10).sharp());
+  }
+}
+
 TEST_CASE("find_onset: only the range asked for is searched, and too few samples have no onset", "[onset]") {
   const auto two_steps = [](std::size_t age) {  // 5 N m at age 300, 1 N m at age 50
     return Torque((age <= 300 ? 5.0 : 0.0) * direction() + (age <= 50 ? 1.0 : 0.0) * direction());

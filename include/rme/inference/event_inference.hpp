@@ -1,6 +1,8 @@
 #pragma once
 /// Everything that a window says about what is in the hand, whichever of several sensor models the arm follows.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <rme/core/payload.hpp>
 #include <rme/core/require.hpp>
@@ -23,6 +25,9 @@ struct Verdict {
   Scalar empty = Scalar(0);      ///< nothing is in the hand
   Scalar unchanged = Scalar(0);  ///< the payload is what it was
   Scalar push = Scalar(0);       ///< the payload is what it was, and something pushes
+  /// Mean square of what the payload's posterior leaves of the event, in units of the likeliest sensor model's noise,
+  /// but at least 1. Far above that, the arm does what no model says.
+  Scalar excess = Scalar(1);
 
   /// The payload changed, to another one or to none.
   bool is_payload() const noexcept { return std::max(payload, empty) > std::max(unchanged, push); }
@@ -33,17 +38,21 @@ struct Verdict {
 
 /// Holds the sensor models and, for each, what is known of the nuisances; answers questions about PayloadStatistics.
 /// Where the models disagree, the one that predicts the window better counts for more, in proportion to its evidence:
-/// an arm whose friction shows is told from one whose friction does not by the data, event by event. Real time: no call
-/// but the constructor allocates or throws; each costs one inference (a few microseconds) per model.
+/// an arm whose friction shows is told from one whose friction does not by the data, event by event. A window that is
+/// noisier than the likeliest model says, as of an arm in fast motion, raises the noise of all to what it shows, by the
+/// same factor in all joints; it never lowers it. Real time: no call but the constructor allocates or throws; each
+/// costs one to three inferences (of three microseconds or so) per model.
 template <typename Scalar, int Dofs>
 class EventInference {
  public:
   using Statistics = PayloadStatistics<Scalar, Dofs>;
+  static constexpr std::size_t kMaxSensors = 4;
 
-  /// @param sensors  at least one
+  /// @param sensors      one to kMaxSensors
+  /// @param learn_noise  whether a noisier window raises the noise
   /// @throws std::invalid_argument naming the field out of range
   EventInference(Scalar dt, const std::vector<SensorModel<Scalar, Dofs>>& sensors, const PushPrior& push,
-                 const VariationalInferenceConfig& config);
+                 const VariationalInferenceConfig& config, bool learn_noise = true);
 
   /// Nothing is known of the nuisances but the sensor models.
   void forget_baseline() noexcept;
@@ -59,31 +68,51 @@ class EventInference {
   /// @param event     all samples of the event, the settled ones included
   /// @param before    the payload that was known
   /// @param jacobian  J of the settled window
+  /// @param[out] posterior  of the payload given the whole event, as from posterior(); what it held is lost
   Verdict<Scalar> judge(const Statistics& settled, const Statistics& event, const PayloadGaussian<Scalar>& prior,
-                        const Payload<Scalar>& before, const Jacobian<Scalar, Dofs>& jacobian) const noexcept;
+                        const Payload<Scalar>& before, const Jacobian<Scalar, Dofs>& jacobian,
+                        ModelAverage<Scalar>& posterior) const noexcept;
   /// The same where the settled samples are all there is.
   Verdict<Scalar> judge(const Statistics& settled, const PayloadGaussian<Scalar>& prior, const Payload<Scalar>& before,
                         const Jacobian<Scalar, Dofs>& jacobian) const noexcept {
-    return judge(settled, settled, prior, before, jacobian);
+    ModelAverage<Scalar> posterior;
+    return judge(settled, settled, prior, before, jacobian, posterior);
   }
 
  private:
-  /// Posterior and log evidence of one sensor model. @return whether the inference succeeded
-  bool infer_with(std::size_t sensor, const Statistics& window, const PayloadGaussian<Scalar>& prior,
-                  PayloadGaussian<Scalar>& posterior, Scalar& log_evidence) const noexcept;
+  struct Inferred {
+    PayloadGaussian<Scalar> posterior;
+    Scalar log_evidence, misfit;
+    bool valid = false;
+  };
+  /// What each sensor model makes of a window, if the noise's variance is `excess` times what it says.
+  using All = std::array<Inferred, kMaxSensors>;
+  Inferred infer_with(std::size_t sensor, Scalar excess, const Statistics& window,
+                      const PayloadGaussian<Scalar>& prior) const noexcept;
+  /// The same with the excess, at least 1, that the likeliest model shows.
+  All infer_all(const Statistics& window, const PayloadGaussian<Scalar>& prior, Scalar& excess) const noexcept;
+  /// Of the noise, in a log evidence.
+  Scalar log_factor(std::size_t sensor, Scalar excess, int count) const noexcept {
+    using std::log;
+    const SensorModel<Scalar, Dofs>& model = sensors_[sensor];
+    return model.log_factor(dt_, count) - Scalar(0.5 * Dofs) * model.independent_samples(dt_, count) * log(excess);
+  }
 
   Scalar dt_;
   std::vector<SensorModel<Scalar, Dofs>> sensors_;
   std::vector<NuisanceGaussian<Scalar, Dofs>> nuisances_;  // one for each sensor model
   PushPrior push_;
   VariationalInferenceConfig config_;
+  bool learn_noise_;
 };
 
 template <typename Scalar, int Dofs>
 EventInference<Scalar, Dofs>::EventInference(Scalar dt, const std::vector<SensorModel<Scalar, Dofs>>& sensors,
-                                             const PushPrior& push, const VariationalInferenceConfig& config)
-    : dt_(dt), sensors_(sensors), nuisances_(sensors.size()), push_(push), config_(config) {
-  detail::require(!sensors.empty(), "EstimatorConfig::sensors", "at least one", sensors.size());
+                                             const PushPrior& push, const VariationalInferenceConfig& config,
+                                             bool learn_noise)
+    : dt_(dt), sensors_(sensors), nuisances_(sensors.size()), push_(push), config_(config), learn_noise_(learn_noise) {
+  detail::require(!sensors.empty() && sensors.size() <= kMaxSensors, "EstimatorConfig::sensors", "one to four",
+                  sensors.size());
   for (const auto& sensor : sensors) {
     sensor.validate();
     detail::require(sensor.noise_correlation_time == sensors.front().noise_correlation_time,
@@ -113,61 +142,84 @@ void EventInference<Scalar, Dofs>::learn_baseline(const Statistics& quiet) noexc
 }
 
 template <typename Scalar, int Dofs>
-bool EventInference<Scalar, Dofs>::infer_with(std::size_t sensor, const Statistics& window,
-                                              const PayloadGaussian<Scalar>& prior, PayloadGaussian<Scalar>& posterior,
-                                              Scalar& log_evidence) const noexcept {
+auto EventInference<Scalar, Dofs>::infer_with(std::size_t sensor, Scalar excess, const Statistics& window,
+                                              const PayloadGaussian<Scalar>& prior) const noexcept -> Inferred {
+  Inferred out;
   PayloadLikelihood<Scalar> likelihood;
   VariationalPosterior<Scalar> result;
-  if (window.likelihood(sensors_[sensor].precision(dt_), nuisances_[sensor], likelihood) != Status::Ok) return false;
+  const SensorModel<Scalar, Dofs>& model = sensors_[sensor];
+  if (window.likelihood(model.precision(dt_) / excess, nuisances_[sensor], likelihood) != Status::Ok) return out;
   const Status status = infer(likelihood, prior, result, config_);
-  if (status != Status::Ok && status != Status::NotConverged) return false;
-  posterior = result.posterior;
-  log_evidence = result.elbo - Scalar(0.5) * likelihood.yy + likelihood.log_factor +
-                 sensors_[sensor].log_factor(dt_, window.count());
-  return true;
+  out.valid = status == Status::Ok || status == Status::NotConverged;
+  if (!out.valid) return out;
+  out.posterior = result.posterior;
+  out.log_evidence =
+      result.elbo - Scalar(0.5) * likelihood.yy + likelihood.log_factor + log_factor(sensor, excess, window.count());
+  out.misfit =
+      -2 * likelihood.log_likelihood(out.posterior.mean) / (Dofs * model.independent_samples(dt_, window.count()));
+  return out;
+}
+
+template <typename Scalar, int Dofs>
+auto EventInference<Scalar, Dofs>::infer_all(const Statistics& window, const PayloadGaussian<Scalar>& prior,
+                                             Scalar& excess) const noexcept -> All {
+  All all;
+  excess = Scalar(1);
+  const Inferred* best = nullptr;
+  for (std::size_t k = 0; k < sensors_.size(); ++k) {
+    all[k] = infer_with(k, excess, window, prior);
+    if (all[k].valid && (best == nullptr || all[k].log_evidence > best->log_evidence)) best = &all[k];
+  }
+  if (!learn_noise_ || best == nullptr || !(best->misfit > 1)) return all;
+  excess = best->misfit;
+  for (std::size_t k = 0; k < sensors_.size(); ++k) all[k] = infer_with(k, excess, window, prior);
+  return all;
 }
 
 template <typename Scalar, int Dofs>
 ModelAverage<Scalar> EventInference<Scalar, Dofs>::posterior(const Statistics& window,
                                                              const PayloadGaussian<Scalar>& prior) const noexcept {
   ModelAverage<Scalar> average;
-  PayloadGaussian<Scalar> posterior;
-  Scalar log_evidence;
-  for (std::size_t k = 0; k < sensors_.size(); ++k)
-    if (infer_with(k, window, prior, posterior, log_evidence)) average.add(posterior, log_evidence);
+  Scalar excess;
+  for (const Inferred& inferred : infer_all(window, prior, excess))
+    if (inferred.valid) average.add(inferred.posterior, inferred.log_evidence);
   return average;
 }
 
 template <typename Scalar, int Dofs>
 Verdict<Scalar> EventInference<Scalar, Dofs>::judge(const Statistics& settled, const Statistics& event,
                                                     const PayloadGaussian<Scalar>& prior, const Payload<Scalar>& before,
-                                                    const Jacobian<Scalar, Dofs>& jacobian) const noexcept {
+                                                    const Jacobian<Scalar, Dofs>& jacobian,
+                                                    ModelAverage<Scalar>& posterior) const noexcept {
   LogSum<Scalar> payload, empty, unchanged, pushed;
-  bool judged = false;
+  posterior = ModelAverage<Scalar>();
+  Scalar excess;
+  const All of_event = infer_all(event, prior, excess);
   for (std::size_t k = 0; k < sensors_.size(); ++k) {
-    const JointVector<Scalar, Dofs> precision = sensors_[k].precision(dt_);
-    const Scalar factor = sensors_[k].log_factor(dt_, settled.count());
+    if (!of_event[k].valid) continue;
+    const JointVector<Scalar, Dofs> precision = sensors_[k].precision(dt_) / excess;
     PayloadLikelihood<Scalar> likelihood;
-    PayloadGaussian<Scalar> posterior;
-    Scalar of_event, of_payload, of_push;
+    Scalar of_push;
     if (settled.likelihood(precision, nuisances_[k], likelihood) != Status::Ok ||
-        push_log_evidence(settled, precision, nuisances_[k], before, jacobian, push_, of_push) != Status::Ok ||
-        !infer_with(k, settled, prior, posterior, of_payload) || !infer_with(k, event, prior, posterior, of_event))
+        push_log_evidence(settled, precision, nuisances_[k], before, jacobian, push_, of_push) != Status::Ok)
       continue;
+    const Inferred of_payload = &settled == &event ? of_event[k] : infer_with(k, excess, settled, prior);
+    if (!of_payload.valid) continue;
+    posterior.add(of_event[k].posterior, of_event[k].log_evidence);
+    const Scalar factor = log_factor(k, excess, settled.count());
     const Scalar of_empty = factor + payload_log_evidence(likelihood, Payload<Scalar>());
     const Scalar of_unchanged = factor + payload_log_evidence(likelihood, before);
     of_push += factor;
     LogSum<Scalar> all;
-    for (const Scalar x : {of_payload, of_empty, of_unchanged, of_push}) all.add(x);
-    const Scalar weight = of_event - all.value();
-    payload.add(weight + of_payload);
+    for (const Scalar x : {of_payload.log_evidence, of_empty, of_unchanged, of_push}) all.add(x);
+    const Scalar weight = of_event[k].log_evidence - all.value();
+    payload.add(weight + of_payload.log_evidence);
     empty.add(weight + of_empty);
     unchanged.add(weight + of_unchanged);
     pushed.add(weight + of_push);
-    judged = true;
   }
-  if (!judged) return {Scalar(0), Scalar(0), Scalar(1), Scalar(0)};  // nothing can be said: unchanged
-  return {payload.value(), empty.value(), unchanged.value(), pushed.value()};
+  if (posterior.empty()) return {Scalar(0), Scalar(0), Scalar(1), Scalar(0), Scalar(1)};  // nothing can be said
+  return {payload.value(), empty.value(), unchanged.value(), pushed.value(), excess};
 }
 
 }  // namespace rme

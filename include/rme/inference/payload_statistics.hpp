@@ -24,11 +24,11 @@ struct NuisanceGaussian {
   std::array<NuisanceMatrix<Scalar>, Dofs> covariance;  ///< positive definite
 };
 
-/// One tick: y = m (a + B r) + N beta + noise, per joint.
+/// One tick: y = m (a + B r + Q products(r)) + N beta + noise, per joint.
 template <typename Scalar, int Dofs>
 struct PayloadObservation {
   JointVector<Scalar, Dofs> tau = JointVector<Scalar, Dofs>::Zero();        ///< y, external torque [N m]
-  PayloadRegressor<Scalar, Dofs> regressor;                                 ///< a, B
+  PayloadRegressor<Scalar, Dofs> regressor;                                 ///< a, B, Q
   JointVector<Scalar, Dofs> direction = JointVector<Scalar, Dofs>::Zero();  ///< last direction of motion, in [-1, 1]
   JointVector<Scalar, Dofs> velocity = JointVector<Scalar, Dofs>::Zero();   ///< dq [rad/s]
 
@@ -36,37 +36,47 @@ struct PayloadObservation {
     tau += other.tau;
     regressor.a += other.regressor.a;
     regressor.B += other.regressor.B;
+    regressor.Q += other.regressor.Q;
     direction += other.direction;
     velocity += other.velocity;
-    return *this;
-  }
-  PayloadObservation& operator*=(Scalar factor) noexcept {
-    tau *= factor;
-    regressor.a *= factor;
-    regressor.B *= factor;
-    direction *= factor;
-    velocity *= factor;
     return *this;
   }
 };
 
 /// Sums over a window, per joint: the Gram matrix of z = (y, a, B_x, B_y, B_z, 1, -direction, -velocity). They do not
 /// depend on the noise level, the offset or the friction, which may therefore be settled afterwards; they add up, so
-/// windows can be joined. O(Dofs) per tick, whatever the window.
+/// windows can be joined. O(Dofs) per tick, whatever the window. The model is linear in (m, m r) here: exact at rest;
+/// of a carried payload WindowStatistics::about() makes the sums.
 template <typename Scalar, int Dofs>
 class PayloadStatistics {
  public:
-  void clear() noexcept { *this = PayloadStatistics(); }
+  static constexpr int kColumns = 8;   ///< y, a, B, 1, -direction, -velocity
+  static constexpr int kConstant = 5;  ///< the column of ones
+  using Row = Eigen::Matrix<Scalar, kColumns, 1>;
+  using Grams = std::array<Eigen::Matrix<Scalar, kColumns, kColumns>, Dofs>;  ///< per joint
 
-  /// Adds one tick, or the mean of `ticks` of them. The caller vouches for finite numbers.
-  void add(const PayloadObservation<Scalar, Dofs>& o, int ticks = 1) noexcept {
+  PayloadStatistics() noexcept {
+    for (auto& g : gram_) g.setZero();
+  }
+  /// @param count  ticks that the Gram matrices are of
+  PayloadStatistics(const Grams& gram, int count) noexcept : gram_(gram), count_(count) {}
+
+  /// z of one tick and joint.
+  static Row row(const PayloadObservation<Scalar, Dofs>& o, int joint) noexcept {
+    const auto& [a, B, Q] = o.regressor;
+    Row z;
+    z << o.tau[joint], a[joint], B(joint, 0), B(joint, 1), B(joint, 2), Scalar(1), -o.direction[joint],
+        -o.velocity[joint];
+    return z;
+  }
+
+  /// Adds one tick at rest (Q is left out). The caller vouches for finite numbers.
+  void add(const PayloadObservation<Scalar, Dofs>& o) noexcept {
     for (int j = 0; j < Dofs; ++j) {
-      Row z;
-      z << o.tau[j], o.regressor.a[j], o.regressor.B(j, 0), o.regressor.B(j, 1), o.regressor.B(j, 2), Scalar(1),
-          -o.direction[j], -o.velocity[j];
-      gram_[static_cast<std::size_t>(j)].noalias() += (Scalar(ticks) * z) * z.transpose();
+      const Row z = row(o, j);
+      gram_[static_cast<std::size_t>(j)].noalias() += z * z.transpose();
     }
-    count_ += ticks;
+    ++count_;
   }
 
   /// Adds another window's sums.
@@ -169,20 +179,11 @@ class PayloadStatistics {
   }
 
  private:
-  static constexpr int kColumns = kSignals + kNuisances - 1;  // y, a, B, 1, -direction, -velocity
-  using Row = Eigen::Matrix<Scalar, kColumns, 1>;
-  using Gram = Eigen::Matrix<Scalar, kColumns, kColumns>;
   using Signals = Eigen::Matrix<Scalar, kSignals, kSignals>;
   using Cross = Eigen::Matrix<Scalar, kSignals, kNuisances>;
 
-  std::array<Gram, Dofs> gram_ = zero();
+  Grams gram_;
   int count_ = 0;
-
-  static std::array<Gram, Dofs> zero() noexcept {
-    std::array<Gram, Dofs> gram;
-    for (Gram& g : gram) g.setZero();
-    return gram;
-  }
 };
 
 }  // namespace rme

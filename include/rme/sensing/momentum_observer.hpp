@@ -10,7 +10,7 @@ namespace rme {
 /// Settings of MomentumObserver.
 template <typename Scalar, int Dofs>
 struct MomentumObserverConfig {
-  JointVector<Scalar, Dofs> gain = JointVector<Scalar, Dofs>::Constant(Scalar(50));  ///< K [rad/s], each > 0
+  JointVector<Scalar, Dofs> gain = JointVector<Scalar, Dofs>::Constant(Scalar(50));  ///< K [rad/s], 0 < K dt <= 1
 };
 
 /// Generalised-momentum observer (De Luca and Mattone, ICRA 2005; docs/theory.md, momentum observer).
@@ -19,12 +19,12 @@ struct MomentumObserverConfig {
 /// tau_ext. Over the period that ends with sample k that remainder, on average, is
 ///
 ///     u_k = (p_k - p_k-1) / dt - tau_k - (s_k-1 + s_k) / 2,    s = C^T dq - g
-///     r_k = r_k-1 + (1 - exp(-K dt)) (u_k - r_k-1),            r_0 = 0
+///     r_k = r_k-1 + K dt (u_k - r_k-1),                        r_0 = 0
 ///
-/// and r is tau_ext seen through the first-order filter K / (s + K), exactly so when tau_ext is constant within each
-/// period. An external torque that sets in at sample k therefore shows first at sample k + 1, with 1 - exp(-K dt) of
-/// its size. Whoever compares r with a model x of tau_ext passes the model through the same filter: y_k = y_k-1 + (1 -
-/// exp(-K dt)) (x - y_k-1) with x averaged over the period that ends with sample k.
+/// and r is tau_ext seen through the first-order filter K / (s + K), by Euler's rule, as nearly all arms have it. An
+/// external torque that sets in at sample k therefore shows first at sample k + 1, with K dt of its size. Whoever
+/// compares r with a model x of tau_ext passes the model through the same filter, x averaged over the period that ends
+/// with sample k, or inverts the filter (SampleWindow).
 ///
 /// Sign: r is what the environment exerts on the arm, tau_ext of M ddq + C dq + g = tau + tau_ext. Joint friction that
 /// the torque sensor does not see is part of it; an offset of the torque sensor enters with the opposite sign.
@@ -57,7 +57,7 @@ class MomentumObserver {
 
  private:
   Scalar dt_;
-  Vector blend_;  // 1 - exp(-K dt)
+  Vector blend_;  // K dt
   Vector residual_ = Vector::Zero();
   Vector momentum_ = Vector::Zero();  // p_k-1
   Vector drift_ = Vector::Zero();     // s_k-1
@@ -69,8 +69,9 @@ MomentumObserver<Scalar, Dofs>::MomentumObserver(Scalar dt, const MomentumObserv
     : dt_(dt) {
   detail::require(dt > 0 && std::isfinite(dt), "MomentumObserver::dt", "> 0 s", dt);
   for (int i = 0; i < Dofs; ++i)
-    detail::require(config.gain[i] > 0, "MomentumObserverConfig::gain", "> 0 rad/s", config.gain[i]);
-  blend_ = config.gain.unaryExpr([dt](Scalar gain) { return -std::expm1(-gain * dt); });
+    detail::require(config.gain[i] > 0 && config.gain[i] * dt <= 1, "MomentumObserverConfig::gain",
+                    "> 0 rad/s and at most one over the period", config.gain[i]);
+  blend_ = config.gain * dt;
 }
 
 template <typename Scalar, int Dofs>

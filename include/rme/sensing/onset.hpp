@@ -12,10 +12,13 @@ template <typename Scalar>
 struct Onset {
   std::size_t age = 0;       ///< of the first sample after the step [ticks]
   Scalar jump = Scalar(0);   ///< size of the step, ||mean after - mean before||_2 [N m]
-  Scalar total = Scalar(0);  ///< the same between the ends of the range searched [N m]
+  Scalar total = Scalar(0);  ///< how far any mean of the range searched lies from its oldest one [N m]
 
-  /// Whether the step is most of what changed. A slow hand-over has a largest step too, but it is a small part of it.
-  bool sharp() const noexcept { return jump > Scalar(0.5) * total; }
+  Scalar usual = Scalar(0);  ///< size of a step anywhere in the range, on average [N m]
+
+  /// Whether the step is most of what changed, and stands out. A slow hand-over has a largest step too, but it is a
+  /// small part of it; noise has many that are as large.
+  bool sharp() const noexcept { return jump > Scalar(0.5) * total && jump > 4 * usual; }
 };
 
 /// Finds where the means of the `span` samples before and after differ most, among the newest `range` samples. With the
@@ -33,9 +36,11 @@ Onset<Scalar> find_onset(const SampleWindow<Scalar, Dofs>& window, std::size_t r
   };
   // Sums over the two spans that meet between ages k - 1 and k; each move by one tick swaps two samples.
   JointVector<Scalar, Dofs> after = mean(0), before = mean(span);
-  onset.total = (after - mean(range - span)).norm();
+  const JointVector<Scalar, Dofs> oldest = mean(range - span);
   for (std::size_t k = span;; ++k) {
     const Scalar jump = (after - before).norm();
+    onset.total = std::max(onset.total, (after - oldest).norm());
+    onset.usual += jump / Scalar(range - 2 * span + 1);
     if (jump > onset.jump) {
       onset.jump = jump;
       onset.age = k - 1;

@@ -15,8 +15,8 @@ namespace rme {
 /// Settings of SampleWindow.
 struct SampleWindowConfig {
   double duration = 1.5;  ///< how far back samples are kept [s], > 0
-  /// Bandwidth of the first-order filter that tau_ext has gone through [rad/s]: the gain of the arm's momentum
-  /// observer. 0 if the torque is unfiltered.
+  /// Bandwidth of the first-order filter that tau_ext has gone through [rad/s]: the gain K of the arm's momentum
+  /// observer, 0 <= K dt <= 1. 0 if the torque is unfiltered. For an exactly discretised filter (1 - exp(-K dt)) / dt.
   double observer_bandwidth = 50;
   double rest_velocity = 1e-3;  ///< joints slower than this count as resting [rad/s], > 0
 };
@@ -34,10 +34,10 @@ struct Sample {
 
 /// Keeps the last seconds, and prepares each sample on its way in.
 ///
-/// The observer's lag: r_k = r_k-1 + (1 - rho)(tau_k - r_k-1) with rho = exp(-bandwidth dt) is inverted, tau_k = (r_k -
-/// rho r_k-1) / (1 - rho). That is the same information as passing the payload's model through the filter (the two
-/// differ by an invertible map), but it needs no instant at which the filter started, and white sensor noise comes out
-/// white (docs/theory.md, "Matching the observer").
+/// The observer's lag: r_k = r_k-1 + K dt (tau_k - r_k-1) is inverted, tau_k = r_k-1 + (r_k - r_k-1) / (K dt). That is
+/// the same information as passing the payload's model through the filter (the two differ by an invertible map), but it
+/// needs no instant at which the filter started, and white sensor noise comes out white (docs/theory.md, "Matching the
+/// observer").
 ///
 /// The flange's acceleration is the backward difference of J dq: it belongs to the same period as tau_k.
 template <typename Scalar, int Dofs>
@@ -59,7 +59,7 @@ class SampleWindow {
 
  private:
   Scalar dt_;
-  Scalar rho_;
+  Scalar blend_;  // K dt
   Scalar rest_velocity_;
   RingBuffer<Sample<Scalar, Dofs>> samples_;
 };
@@ -67,14 +67,15 @@ class SampleWindow {
 template <typename Scalar, int Dofs>
 SampleWindow<Scalar, Dofs>::SampleWindow(double dt, const SampleWindowConfig& config)
     : dt_(static_cast<Scalar>(dt)),
-      rho_(config.observer_bandwidth > 0 ? static_cast<Scalar>(std::exp(-config.observer_bandwidth * dt)) : Scalar(0)),
+      blend_(config.observer_bandwidth > 0 ? static_cast<Scalar>(config.observer_bandwidth * dt) : Scalar(1)),
       rest_velocity_(static_cast<Scalar>(config.rest_velocity)),
       samples_(1) {
   detail::require(dt > 0 && std::isfinite(dt), "SampleWindow::dt", "> 0 s", dt);
   detail::require(config.duration / dt >= 2 && config.duration / dt < 1e6, "SampleWindowConfig::duration",
                   "2 to 1e6 samples", config.duration / dt);
-  detail::require(config.observer_bandwidth >= 0 && std::isfinite(config.observer_bandwidth),
-                  "SampleWindowConfig::observer_bandwidth", ">= 0 rad/s", config.observer_bandwidth);
+  detail::require(config.observer_bandwidth >= 0 && config.observer_bandwidth * dt <= 1,
+                  "SampleWindowConfig::observer_bandwidth", ">= 0 rad/s and at most one over the period",
+                  config.observer_bandwidth);
   detail::require(config.rest_velocity > 0, "SampleWindowConfig::rest_velocity", "> 0 rad/s", config.rest_velocity);
   samples_ = RingBuffer<Sample<Scalar, Dofs>>(static_cast<std::size_t>(std::lround(config.duration / dt)));
 }
@@ -90,7 +91,7 @@ Status SampleWindow<Scalar, Dofs>::push(const Proprioception<Scalar, Dofs>& in) 
   sample.motion.angular_velocity = twist.angular;
   if (!samples_.empty()) {
     const Sample<Scalar, Dofs>& last = samples_.newest();
-    sample.tau = (in.tau_ext - rho_ * last.raw.tau_ext) / (Scalar(1) - rho_);
+    sample.tau = last.raw.tau_ext + (in.tau_ext - last.raw.tau_ext) / blend_;
     const auto last_twist = Twist<Scalar>::from_vector(last.raw.jacobian * last.raw.dq);
     sample.motion.linear_acceleration = (twist.linear - last_twist.linear) / dt_;
     sample.motion.angular_acceleration = (twist.angular - last_twist.angular) / dt_;

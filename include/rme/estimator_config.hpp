@@ -1,0 +1,81 @@
+#pragma once
+/// Settings of the estimator.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <rme/core/require.hpp>
+#include <rme/core/types.hpp>
+#include <rme/inference/event_evidence.hpp>
+#include <rme/inference/sensor_model.hpp>
+#include <rme/inference/variational_inference.hpp>
+#include <rme/sensing/mismatch_detector.hpp>
+#include <rme/sensing/sample_window.hpp>
+#include <vector>
+
+namespace rme {
+
+/// Which torque the arm reports as external.
+enum class TorqueSign : std::int8_t {
+  External = 1,   ///< what the environment exerts on the arm (the convention of rme)
+  Reaction = -1,  ///< what the arm exerts on the environment
+};
+
+/// Settings of Estimator; the defaults suit a seven-joint arm of the Panda's size at any rate. docs/tuning.md
+template <typename Scalar, int Dofs>
+struct EstimatorConfig {
+  Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
+  TorqueSign torque_sign = TorqueSign::External;
+  MismatchDetectorConfig detector;
+  /// Watch the norm of tau_ext, as published, in place of every joint's torque less the known payload's.
+  bool watch_norm = false;
+  SampleWindowConfig window;
+  /// What the arm's torque sensing is like; several are averaged by their evidence, event by event. At least one.
+  std::vector<SensorModel<Scalar, Dofs>> sensors = {SensorModel<Scalar, Dofs>::link_side(),
+                                                    SensorModel<Scalar, Dofs>::joint_friction()};
+  double collection = 0.2;       ///< how long samples are gathered after the detection [s], > 0
+  double baseline = 0.3;         ///< length of the quiet window before the change [s], >= 0; 0 uses none
+  double baseline_guard = 0.02;  ///< between the quiet window and the change [s], >= 0
+  double onset_span = 0.01;      ///< of the means whose difference finds the instant of the change [s], > 0
+  double onset_jump = 0.4;       ///< a smaller step is no onset [N m], > 0
+  double onset_guard = 0.02;     ///< after the change: samples left out, for the instant is not known exactly [s], >= 0
+  double unrest = 0.8;           ///< a collection in which the torque changes by more starts again [N m], > 0
+  double refresh = 0.01;         ///< between early estimates, made while the change settles [s]; 0 makes none
+  double early_window = 0.03;    ///< samples since the change that an early estimate needs [s], > 0
+  double gentle_window = 0.1;    ///< newest samples that are used while the weight is still coming [s], > 0
+  double early_odds = 3;         ///< log odds of payload against push that an early estimate needs [nats]
+  double early_excess = 4;       ///< excess of noise above which no early estimate is believed, > 0
+  double gyration_radius = 0.03;  ///< of a payload about its own centre of mass, roughly [m], >= 0
+  bool learn_noise = true;  ///< of a window noisier than the likeliest sensor model says, as of an arm in fast motion
+  PushPrior push;           ///< what a change may be that is no payload
+  VariationalInferenceConfig inference;
+
+  /// @throws std::invalid_argument naming the field out of range
+  void validate(double dt) const;
+};
+
+template <typename Scalar, int Dofs>
+void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
+  detail::require(dt > 0 && std::isfinite(dt), "Estimator::dt", "> 0 s", dt);
+  detail::require(gravity.allFinite() && gravity.norm() > 0, "EstimatorConfig::gravity", "finite and not zero",
+                  gravity.norm());
+  detail::require(collection >= 2 * dt, "EstimatorConfig::collection", ">= 2 samples [s]", collection);
+  detail::require(baseline >= 0, "EstimatorConfig::baseline", ">= 0 s", baseline);
+  detail::require(baseline_guard >= 0, "EstimatorConfig::baseline_guard", ">= 0 s", baseline_guard);
+  detail::require(onset_span >= dt, "EstimatorConfig::onset_span", ">= 1 sample [s]", onset_span);
+  detail::require(onset_jump > 0, "EstimatorConfig::onset_jump", "> 0 N m", onset_jump);
+  detail::require(onset_guard >= 0, "EstimatorConfig::onset_guard", ">= 0 s", onset_guard);
+  detail::require(detector.window > 0, "MismatchDetectorConfig::window", "> 0 s", detector.window);
+  detail::require(refresh == 0 || refresh >= dt, "EstimatorConfig::refresh", "0 or >= 1 sample [s]", refresh);
+  detail::require(early_window >= 2 * dt, "EstimatorConfig::early_window", ">= 2 samples [s]", early_window);
+  detail::require(gentle_window >= 2 * dt && gentle_window <= detector.window, "EstimatorConfig::gentle_window",
+                  "2 samples to the detector's window [s]", gentle_window);
+  detail::require(std::isfinite(early_odds), "EstimatorConfig::early_odds", "finite", early_odds);
+  detail::require(early_excess > 0, "EstimatorConfig::early_excess", "> 0", early_excess);
+  detail::require(unrest > 0, "EstimatorConfig::unrest", "> 0 N m", unrest);
+  detail::require(gyration_radius >= 0, "EstimatorConfig::gyration_radius", ">= 0 m", gyration_radius);
+  const double needed = detector.window + std::max(collection, baseline + baseline_guard) + 2 * dt;
+  detail::require(window.duration >= needed, "SampleWindowConfig::duration",
+                  "at least the detector's window + the longer of collection and baseline", window.duration);
+}
+
+}  // namespace rme
