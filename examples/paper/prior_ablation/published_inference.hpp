@@ -27,7 +27,9 @@ PayloadLikelihood<double> published_likelihood(const SampleWindow<double, Dofs>&
   PayloadLikelihood<double> sums;
   for (std::size_t i = 0; i < samples; ++i) {
     const auto& [tau, jacobian, rotation, dq] = sample(i);
-    const auto [a, B] = payload_regressor<double, Dofs>(jacobian, rotation, standard_gravity<double>());
+    const auto regressor = payload_regressor<double, Dofs>(jacobian, rotation, standard_gravity<double>());
+    const auto& a = regressor.a;
+    const auto& B = regressor.B;
     const JointVector<double, Dofs> y_W = precision.cwiseProduct(tau), a_W = precision.cwiseProduct(a);
     sums.yy += y_W.dot(tau);
     sums.ya += y_W.dot(a);
