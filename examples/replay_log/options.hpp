@@ -1,16 +1,14 @@
 #pragma once
 /// The command-line options that every program which replays logs understands.
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <rme/estimator_json.hpp>
-#include <rme/network/json.hpp>
-#include <rme/network/network_prior.hpp>
 #include <string>
 
 #include "io/arguments.hpp"
 #include "replay_log/replay.hpp"
 #include "run_network/json_file.hpp"
+#include "run_network/network_file.hpp"
 
 namespace rme::examples {
 
@@ -23,34 +21,13 @@ constexpr const char* kReplayUsage =
     "  --preset NAME       sensing of the arm: unknown (default), link_side, joint_friction\n"
     "  --detector NAME     robust (default), or published: Algorithm 1 to the letter\n";
 
-/// The prior that the command line asks for: a network's guess, or the fixed one.
-class ReplayPrior {
- public:
-  ReplayPrior() = default;
-  /// The network that a weights file holds, fed with the pseudo-wrench damping that the file's "training" names (the
-  /// published one if it names none).
-  explicit ReplayPrior(const std::string& weights_file) {
-    const auto model = model_from_json<double>(read_json_file(weights_file));
-    NetworkPriorConfig<double> config;
-    const auto damping = model.training.find("damping");
-    if (damping != model.training.end() && damping->is_number()) config.damping = damping->get<double>();
-    network_ = std::make_shared<const MismatchNetwork<double>>(model.weights);
-    prior_.emplace(*network_, 1e-3, config);
-  }
-
-  PayloadGaussian<double> operator()(const SampleWindow<double, 7>& window, std::size_t count) const noexcept {
-    return prior_ ? (*prior_)(window, count) : FixedPrior<double>()(window, count);
-  }
-
- private:
-  std::shared_ptr<const MismatchNetwork<double>> network_;
-  std::optional<NetworkPrior<double>> prior_;
-};
-
 /// All that the options below say.
 struct ReplayRequest {
   ReplayOptions options;
-  ReplayPrior prior;
+  std::optional<NetworkFile> weights;
+
+  /// The prior that the command line asks for: a network's guess, or the fixed one.
+  AnyPrior prior(const Log<7>& log) const { return weights ? AnyPrior(*weights, nominal_period(log.t)) : AnyPrior(); }
 };
 
 /// What `make` returns; its errors name the file.
@@ -71,7 +48,8 @@ inline ReplayRequest parse_replay_options(Arguments& arguments) {
   auto& estimator = options.estimator;
   if (const auto file = arguments.text("--config"))
     estimator = named(*file, [&] { return estimator_config_from_json<double, 7>(read_json_file(*file)); });
-  if (const auto file = arguments.text("--weights")) request.prior = named(*file, [&] { return ReplayPrior(*file); });
+  if (const auto file = arguments.text("--weights"))
+    request.weights = named(*file, [&] { return read_network_file(*file); });
   options.at = arguments.number("--at");
   estimator.collection = arguments.number("--window").value_or(estimator.collection);
   const std::string preset = arguments.text("--preset").value_or("");

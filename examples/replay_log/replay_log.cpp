@@ -112,7 +112,7 @@ int main(int argc, char** argv) {
                   "y [mm]", "z [mm]", "took[us]");
     }
     const ReplaySummary summary =
-        replay(log, request.replay.options, request.replay.prior, [&request](const auto& happened) {
+        replay(log, request.replay.options, request.replay.prior(log), [&request](const auto& happened) {
           if (request.json)
             std::cout << to_json(happened).dump() << "\n";
           else

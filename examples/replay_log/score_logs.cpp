@@ -78,7 +78,7 @@ void score(const Log<7>& log, const ReplayRequest& request, Scores& scores) {
     s.across = (s.error.tail<3>() - down * down.dot(s.error.tail<3>())).norm();
     scores.found.push_back(s);
   };
-  replay(log, request.options, request.prior, [&](const auto& happened) {
+  replay(log, request.options, request.prior(log), [&](const auto& happened) {
     if constexpr (std::is_same_v<decltype(happened), const ReplayedEstimate&>)
       on_estimate(happened);
     else

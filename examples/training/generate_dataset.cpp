@@ -13,7 +13,6 @@
 //
 // FILE: one line of JSON that names the columns, then 32-bit floats, row after row, little-endian; train.py reads it.
 // Exit code: 0, or 2 for arguments it cannot use, or 3 if the file cannot be written.
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -26,6 +25,7 @@
 #include <string>
 #include <synthetic_arm/panda.hpp>
 #include <synthetic_arm/pose_impedance.hpp>
+#include <synthetic_arm/random_pose.hpp>
 #include <synthetic_arm/synthetic_arm.hpp>
 #include <thread>
 #include <vector>
@@ -43,7 +43,8 @@ constexpr int kAfter = kLatestStart + kSamples * kStride;
 
 constexpr const char* kColumns =
     R"({"columns": [["world", [20, 6]], ["end_effector", [20, 6]], ["baseline_world", [6]], )"
-    R"(["baseline_end_effector", [6]], ["gravity_direction", [3]], ["theta", [4]], ["start", [1]], ["event", [1]]], )";
+    R"(["baseline_end_effector", [6]], ["gravity_direction", [3]], ["theta", [4]], ["start", [1]], ["event", [1]], )"
+    R"(["friction_shows", [1]]], )";
 
 struct Settings {
   int events = 1000, windows = 4;
@@ -72,16 +73,8 @@ class Event {
   double normal(double deviation) { return deviation * normal_(random_); }
 
   Vector7 pose(bool any) {
-    const ArmModel<7>& arm = panda();
-    Vector7 q;
-    if (!any) return arm.ready + Vector7::NullaryExpr([&] { return normal(0.1); });
-    // Away from the joint limits and from singular poses, which no controller would hold.
-    do {
-      const Vector7 reach = (Vector7() << 1.6, 1.05, 1.7, 1.0, 1.3, 0.9, 1.9).finished();
-      const Vector7 middle = (Vector7() << 0, 0.05, 0, -1.65, 0, 1.8, 0).finished();
-      for (int i = 0; i < 7; ++i) q[i] = middle[i] + uniform(-reach[i], reach[i]);
-    } while (std::sqrt(smallest_eigenvalue(arm.kinematics(q).jacobian)) < 0.1);
-    return q;
+    if (any) return random_panda_pose([&](double low, double high) { return uniform(low, high); });
+    return panda().ready + Vector7::NullaryExpr([&] { return normal(0.1); });
   }
 
   /// 0.2 to 2 kg, centre of mass within 8 cm across the flange's axis and up to 20 cm along it.
@@ -106,11 +99,6 @@ class Event {
   std::vector<float> rows(const Settings& settings, int index);
 
  private:
-  static double smallest_eigenvalue(const rme::Jacobian<double, 7>& jacobian) {
-    return Eigen::SelfAdjointEigenSolver<rme::Matrix6<double>>(jacobian * jacobian.transpose(), Eigen::EigenvaluesOnly)
-        .eigenvalues()[0];
-  }
-
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
 };
@@ -160,7 +148,7 @@ std::vector<float> Event::rows(const Settings& settings, int index) {
     put(baseline.end_effector);
     put(down);
     put(Eigen::Vector4d(body.mass, body.com[0], body.com[1], body.com[2]));
-    put(Eigen::Vector2d(1e-3 * start, index));
+    put(Eigen::Vector3d(1e-3 * start, index, config.sensing == TorqueSensing::MotorSide ? 1 : 0));
   }
   return out;
 }

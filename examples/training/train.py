@@ -48,7 +48,7 @@ class Recipe:
 
 RECIPES = {
     # 840 training windows in batches of 84: 5,000 epochs are the paper's 50,000 iterations.
-    "published": Recipe(350, 3, "ready", "world", 1e-2, 5000, 84, 1e-4, False, 0.1, False, (1, 1, 1, 1), 500),
+    "published": Recipe(350, 3, "ready", "world", 1e-2, 5000, 84, 1e-4, False, 0.1, False, (1, 1, 1, 1), 5000),
     "panda": Recipe(8000, 4, "any", "end_effector", 1e-3, 50, 256, 1e-3, True, 0.0, True, (0.1, 0.02, 0.02, 0.05), 50),
 }
 
@@ -98,6 +98,7 @@ def metrics(network, data, frame, device):
     with torch.no_grad():
         predicted = torch.cat([network(part.to(device)).cpu() for part in getattr(data, frame).split(4096)])
     keep = data.theta[:, 0] >= 0.3
+    friction = data.friction_shows[keep, 0] > 0.5
     error = (predicted - data.theta)[keep]
     down = data.gravity_direction[keep]
     along = (error[:, 1:] * down).sum(1)
@@ -107,6 +108,7 @@ def metrics(network, data, frame, device):
         return round(float(x.pow(2).mean().sqrt()), 5)
 
     return {"mass_rmse": rms(error[:, 0]), "mass_bias": round(float(error[:, 0].mean()), 5),
+            "mass_rmse_joint_friction": rms(error[friction, 0]), "mass_rmse_link_side": rms(error[~friction, 0]),
             "com_across_gravity_rmse_per_axis": round(rms(across) / math.sqrt(2), 5),
             "com_across_gravity_mean": round(float(across.mean()), 5), "com_along_gravity_rmse": rms(along),
             **{f"{name}_rmse": rms(error[:, i]) for i, name in enumerate(OUTPUTS) if i > 0}}

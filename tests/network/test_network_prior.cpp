@@ -57,13 +57,42 @@ TEST_CASE("NetworkPrior: asks the network about 20 pseudo-wrenches, each the new
     REQUIRE(network->forward(input, expected) == rme::Status::Ok);
 
     rme::NetworkPriorConfig<double> config;
-    config.standard_deviation << 0.1, 0.2, 0.3, 0.4;
     config.farthest = 100;
     config.damping = 1e-2;
-    const rme::PayloadGaussian<double> prior = Prior(*network, 0.001, config)(recording.window, 200);
-    CHECK((prior.mean - expected).cwiseAbs().maxCoeff() < 1e-9);
-    CHECK(prior.covariance.isApprox(Eigen::Vector4d(0.01, 0.04, 0.09, 0.16).asDiagonal().toDenseMatrix()));
+    Eigen::Vector4d guess = Eigen::Vector4d::Zero();
+    REQUIRE(Prior(*network, 0.001, config).guess(recording.window, 200, guess));
+    CHECK((guess - expected).cwiseAbs().maxCoeff() < 1e-9);
   }
+}
+
+TEST_CASE("NetworkPrior: across gravity the network speaks, along it the fixed prior", "[network_prior]") {
+  const unsigned seed = 8;
+  CAPTURE(seed);
+  const Recording recording(seed, 250);
+  const auto network = std::make_unique<Network>(*golden::random_weights<double>());
+  rme::NetworkPriorConfig<double> config;
+  config.farthest = 100;
+  config.standard_deviation << 0.1, 0.2, 0.2, 0.2;
+  config.unknown.gaussian =
+      rme::PayloadGaussian<double>::independent({3, 0.1, 0.2, 0.3}, Eigen::Vector4d(1, 0.5, 0.5, 0.5));
+  config.gravity << 3, -2, 6;  // an arm on a tilted wall
+  const Prior prior(*network, 0.001, config);
+  const auto [mean, covariance] = prior(recording.window, 200);
+  Eigen::Vector4d guess = Eigen::Vector4d::Zero();
+  REQUIRE(prior.guess(recording.window, 200, guess));
+
+  // Two directions across gravity, in end-effector axes: with down, they are a basis.
+  const Eigen::Vector3d down = recording.ticks.back().rotation.transpose() * Eigen::Vector3d(3, -2, 6) / 7;
+  const Eigen::Vector3d one = down.unitOrthogonal(), other = down.cross(one);
+  const Eigen::Vector3d com = mean.tail<3>();
+  CHECK(mean[0] == guess[0]);
+  CHECK(com.dot(one) == Approx(guess.tail<3>().dot(one)));
+  CHECK(com.dot(other) == Approx(guess.tail<3>().dot(other)));
+  CHECK(com.dot(down) == Approx(Eigen::Vector3d(0.1, 0.2, 0.3).dot(down)));
+  Eigen::Matrix4d basis = Eigen::Matrix4d::Identity();
+  basis.bottomRightCorner<3, 3>() << one, other, down;
+  const Eigen::Matrix4d expected = Eigen::Vector4d(0.01, 0.04, 0.04, 0.25).asDiagonal();
+  CHECK((basis.transpose() * covariance * basis).isApprox(expected));
 }
 
 TEST_CASE("NetworkPrior: where the network cannot know, the fixed prior stands", "[network_prior]") {
@@ -99,6 +128,9 @@ TEST_CASE("NetworkPrior: a setting out of range is refused by name", "[network_p
   rme::NetworkPriorConfig<double> config;
   CHECK_THROWS_WITH(Prior(*network, 0.0, config), contains("NetworkPrior::dt"));
   CHECK_THROWS_WITH(Prior(*network, 0.02, config), contains("NetworkPriorConfig::spacing"));
+  config.gravity.setZero();
+  CHECK_THROWS_WITH(Prior(*network, 0.001, config), contains("NetworkPriorConfig::gravity"));
+  config = {};
   config.standard_deviation[2] = 0;
   CHECK_THROWS_WITH(Prior(*network, 0.001, config), contains("NetworkPriorConfig::standard_deviation"));
 }

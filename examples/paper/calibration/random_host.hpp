@@ -124,14 +124,19 @@ struct Answer {
 };
 
 /// The loop of a host: arm, impedance controller, compensation by the first estimator. The others listen without a say.
+/// @tparam PriorSource  of the estimators
+template <typename PriorSource = FixedPrior<double>>
 class Host {
  public:
   Host(const Draw& draw, const std::vector<EstimatorConfig<double, 7>>& configs)
+      : Host(draw, configs, std::vector<PriorSource>(configs.size())) {}
+  /// @param priors  one for each estimator
+  Host(const Draw& draw, const std::vector<EstimatorConfig<double, 7>>& configs, const std::vector<PriorSource>& priors)
       : arm_(panda(), draw.arm, draw.start),
         controller_(panda(), draw.target),
         ramp_(kPeriod),
         answers_(configs.size()) {
-    for (const auto& config : configs) estimators_.emplace_back(kPeriod, config);
+    for (std::size_t k = 0; k < configs.size(); ++k) estimators_.emplace_back(kPeriod, configs[k], priors[k]);
   }
 
   SyntheticArm<7>& arm() { return arm_; }
@@ -161,7 +166,7 @@ class Host {
   SyntheticArm<7> arm_;
   PoseImpedance<7> controller_;
   CompensationRamp<double, 7> ramp_;
-  std::vector<Estimator<double, 7>> estimators_;
+  std::vector<Estimator<double, 7, PriorSource>> estimators_;
   std::vector<std::vector<Answer>> answers_;
 };
 

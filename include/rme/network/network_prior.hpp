@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
 #include <rme/inference/fixed_prior.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/network/mismatch_network.hpp>
@@ -16,19 +17,25 @@ namespace rme {
 template <typename Scalar>
 struct NetworkPriorConfig {
   /// Standard deviations around the guess (m [kg], r_x, r_y, r_z [m]), each > 0. The published mass, since the window
-  /// itself settles that; the centre of mass by how far the network is usually off.
-  Vector4<Scalar> standard_deviation = {Scalar(0.5), Scalar(0.03), Scalar(0.03), Scalar(0.05)};
+  /// itself settles that; the centre of mass by how far the network is usually off across gravity, any axis.
+  Vector4<Scalar> standard_deviation = {Scalar(0.5), Scalar(0.02), Scalar(0.02), Scalar(0.02)};
   /// A window with a sample further than this many standard deviations of the training data from their mean is none
   /// that the network has learned from, and `unknown` is the prior; > 0.
   Scalar farthest = Scalar(4);
-  FixedPrior<Scalar> unknown;     ///< the prior where the network cannot be asked
-  double spacing = 0.01;          ///< between the samples that the network sees [s], > 0
+  FixedPrior<Scalar> unknown;  ///< the prior where the network cannot be asked, and along gravity
+  Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
+  double spacing = 0.01;                                 ///< between the samples that the network sees [s], > 0
   Scalar damping = Scalar(0.01);  ///< lambda of the pseudo-wrench, as in training, > 0; the published one by default
 };
 
-/// A prior source for Estimator: a Gaussian centred on the network's output. A payload far outside the training
-/// distribution is not dragged back into it: its window is recognised as foreign, and the wide fixed prior used
-/// instead.
+/// A prior source for Estimator: a Gaussian centred on the network's output, except along gravity. Where the centre of
+/// mass lies along gravity does not show at rest, so that the network's guess there is only noise around the mean of
+/// its training; the fixed prior's says as much without it. With d the direction of gravity in end-effector axes,
+///
+///     r = (1 - d d^T) r_network + d d^T r_fixed, and the covariance likewise.
+///
+/// A payload far outside the training distribution is not dragged back into it: the mass is free to follow the window,
+/// and a window that is foreign to the network is recognised, and the fixed prior used instead.
 ///
 ///     const auto network = std::make_unique<MismatchNetwork<double>>(model.weights);  // must outlive the estimator
 ///     Estimator<double, 7, NetworkPrior<double>> estimator(0.001, {}, NetworkPrior<double>(*network, 0.001));
@@ -42,6 +49,11 @@ class NetworkPrior {
   /// @throws std::invalid_argument naming the field out of range
   NetworkPrior(const Network& network, double dt,
                const NetworkPriorConfig<Scalar>& config = NetworkPriorConfig<Scalar>());
+
+  /// What the network says to the newest of the `count` samples that were collected.
+  /// @return false if there are too few of them or the network has learned from none like them: then `out` is untouched
+  template <int Dofs>
+  bool guess(const SampleWindow<Scalar, Dofs>& window, std::size_t count, typename Network::Output& out) const noexcept;
 
   /// The prior of an event whose newest `count` samples were collected.
   template <int Dofs>
@@ -62,6 +74,8 @@ NetworkPrior<Scalar, Architecture>::NetworkPrior(const Network& network, double 
     detail::require(config.standard_deviation[i] > 0, "NetworkPriorConfig::standard_deviation", "> 0",
                     config.standard_deviation[i]);
   }
+  detail::require(config.gravity.allFinite() && config.gravity.norm() > 0, "NetworkPriorConfig::gravity",
+                  "finite and not zero", config.gravity.norm());
   detail::require(config.farthest > 0, "NetworkPriorConfig::farthest", "> 0", config.farthest);
   detail::require(config.damping > 0, "NetworkPriorConfig::damping", "> 0", config.damping);
   detail::require(dt > 0 && std::isfinite(dt), "NetworkPrior::dt", "> 0 s", dt);
@@ -72,27 +86,41 @@ NetworkPrior<Scalar, Architecture>::NetworkPrior(const Network& network, double 
 
 template <typename Scalar, typename Architecture>
 template <int Dofs>
-PayloadGaussian<Scalar> NetworkPrior<Scalar, Architecture>::operator()(const SampleWindow<Scalar, Dofs>& window,
-                                                                       std::size_t count) const noexcept {
+bool NetworkPrior<Scalar, Architecture>::guess(const SampleWindow<Scalar, Dofs>& window, std::size_t count,
+                                               typename Network::Output& out) const noexcept {
   using Input = typename Network::Window;
   constexpr int samples = Input::RowsAtCompileTime;
-  const PayloadGaussian<Scalar> unknown = config_.unknown(window, count);
   // A shorter collection would show the network what was before the event.
-  if (stride_ * samples > count) return unknown;
+  if (stride_ * samples > count) return false;
   Input input;
   for (int i = 0; i < samples; ++i) {
     const Proprioception<Scalar, Dofs>& tick = window.newest(stride_ * static_cast<std::size_t>(samples - 1 - i)).raw;
     Wrench<Scalar> wrench;
-    if (pseudo_wrench<Scalar, Dofs>(tick.jacobian, tick.tau_ext, config_.damping, wrench) != Status::Ok) return unknown;
+    if (pseudo_wrench<Scalar, Dofs>(tick.jacobian, tick.tau_ext, config_.damping, wrench) != Status::Ok) return false;
     if (network_->frame() == InputFrame::EndEffector) wrench = in_end_effector_axes<Scalar>(wrench, tick.rotation);
     input.row(i) = wrench.vector().transpose();
   }
   Input normalized;
   network_->normalization().forward(input, normalized);
-  if (!(normalized.cwiseAbs().maxCoeff() <= config_.farthest)) return unknown;
-  typename Network::Output guess;
-  if (network_->forward(input, guess) != Status::Ok) return unknown;
-  return PayloadGaussian<Scalar>::independent(guess, config_.standard_deviation);
+  return normalized.cwiseAbs().maxCoeff() <= config_.farthest && network_->forward(input, out) == Status::Ok;
+}
+
+template <typename Scalar, typename Architecture>
+template <int Dofs>
+PayloadGaussian<Scalar> NetworkPrior<Scalar, Architecture>::operator()(const SampleWindow<Scalar, Dofs>& window,
+                                                                       std::size_t count) const noexcept {
+  const PayloadGaussian<Scalar> fixed = config_.unknown(window, count);
+  typename Network::Output mean;
+  if (!guess(window, count, mean)) return fixed;
+  auto prior = PayloadGaussian<Scalar>::independent(mean, config_.standard_deviation);
+  const Vector3<Scalar> down = window.newest().raw.rotation.transpose() * config_.gravity.normalized();
+  const Matrix3<Scalar> along = down * down.transpose();
+  const Matrix3<Scalar> across = Matrix3<Scalar>::Identity() - along;
+  prior.mean.template tail<3>() = across * mean.template tail<3>() + along * fixed.mean.template tail<3>();
+  const Matrix3<Scalar> spread = prior.covariance.template bottomRightCorner<3, 3>();
+  prior.covariance.template bottomRightCorner<3, 3>() =
+      across * spread * across + along * fixed.covariance.template bottomRightCorner<3, 3>() * along;
+  return prior;
 }
 
 }  // namespace rme

@@ -1,0 +1,48 @@
+#pragma once
+/// A weights file, ready to serve as a prior.
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <rme/inference/fixed_prior.hpp>
+#include <rme/network/json.hpp>
+#include <rme/network/network_prior.hpp>
+#include <string>
+
+#include "run_network/json_file.hpp"
+
+namespace rme::examples {
+
+/// The network of a weights file and the settings of NetworkPrior that belong to it.
+struct NetworkFile {
+  std::shared_ptr<const MismatchNetwork<double>> network;
+  NetworkPriorConfig<double> config;  ///< the defaults, with the damping that the network was trained with
+};
+
+/// @throws std::runtime_error if the file cannot be read, std::invalid_argument if it holds no network
+inline NetworkFile read_network_file(const std::string& path) {
+  const auto model = model_from_json<double>(read_json_file(path));
+  NetworkFile file{std::make_shared<const MismatchNetwork<double>>(model.weights), {}};
+  const auto damping = model.training.find("damping");
+  if (damping != model.training.end() && damping->is_number()) file.config.damping = damping->get<double>();
+  return file;
+}
+
+/// A prior source for Estimator that is chosen at run time: a network's guess, or the fixed prior.
+class AnyPrior {
+ public:
+  AnyPrior() = default;  ///< the fixed prior
+  /// @param dt  control period [s]
+  AnyPrior(const NetworkFile& file, double dt)
+      : network_(file.network), guess_(std::in_place, *file.network, dt, file.config) {}
+
+  template <int Dofs>
+  PayloadGaussian<double> operator()(const SampleWindow<double, Dofs>& window, std::size_t count) const noexcept {
+    return guess_ ? (*guess_)(window, count) : FixedPrior<double>()(window, count);
+  }
+
+ private:
+  std::shared_ptr<const MismatchNetwork<double>> network_;  // what guess_ refers to
+  std::optional<NetworkPrior<double>> guess_;
+};
+
+}  // namespace rme::examples
