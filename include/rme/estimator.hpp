@@ -250,6 +250,8 @@ Status Estimator<Scalar, Dofs, PriorSource>::update(const Proprioception<Scalar,
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::watch() noexcept {
   if (detector_.update(watched(0)) != Status::Ok) return;
+  // Before the first baseline can be learned, an arm that starts to move looks like one that is handed something.
+  if (time() < config_.detector.window + config_.baseline + config_.baseline_guard) return;
   if (detector_.rapid_change() && !changing_) begin_change();
   if (!changing_) return;
   if (ticks_ - change_tick_ > window_.capacity()) {  // it does not settle: what was long ago counts no more
@@ -472,7 +474,7 @@ void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
   const Statistics settled = triggered_ ? event : settled_.about(com_guess);
   ModelAverage<Scalar> average;
   verdict_ = inference_.judge(settled, event, prior, known_.payload(), window_.newest().raw.jacobian, average);
-  const bool accepted = (triggered_ || verdict_.is_payload()) && !average.empty();
+  const bool accepted = (triggered_ || verdict_.log_odds() > static_cast<Scalar>(config_.odds)) && !average.empty();
   if (accepted) {
     com_guess = average.moments().mean.template tail<3>();
     average = inference_.posterior(event_about(com_guess), prior);

@@ -39,6 +39,7 @@ struct EstimatorConfig {
   double onset_jump = 0.4;       ///< a smaller step is no onset [N m], > 0
   double onset_guard = 0.02;     ///< after the change: samples left out, for the instant is not known exactly [s], >= 0
   double unrest = 0.8;           ///< a collection in which the torque changes by more starts again [N m], > 0
+  double odds = 0;               ///< log odds that the payload changed, against push or nothing, that it takes [nats]
   double refresh = 0.01;         ///< between early estimates, made while the change settles [s]; 0 makes none
   double early_window = 0.03;    ///< samples since the change that an early estimate needs [s], > 0
   double gentle_window = 0.1;    ///< newest samples that are used while the weight is still coming [s], > 0
@@ -69,6 +70,7 @@ void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
   detail::require(early_window >= 2 * dt, "EstimatorConfig::early_window", ">= 2 samples [s]", early_window);
   detail::require(gentle_window >= 2 * dt && gentle_window <= detector.window, "EstimatorConfig::gentle_window",
                   "2 samples to the detector's window [s]", gentle_window);
+  detail::require(std::isfinite(odds), "EstimatorConfig::odds", "finite", odds);
   detail::require(std::isfinite(early_odds), "EstimatorConfig::early_odds", "finite", early_odds);
   detail::require(early_excess > 0, "EstimatorConfig::early_excess", "> 0", early_excess);
   detail::require(unrest > 0, "EstimatorConfig::unrest", "> 0 N m", unrest);

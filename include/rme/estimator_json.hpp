@@ -82,6 +82,7 @@ void visit_fields(Config& c, Visit&& visit, const EstimatorConfig<Scalar, Dofs>*
   visit("onset_jump", c.onset_jump);
   visit("onset_guard", c.onset_guard);
   visit("unrest", c.unrest);
+  visit("odds", c.odds);
   visit("refresh", c.refresh);
   visit("early_window", c.early_window);
   visit("gentle_window", c.gentle_window);

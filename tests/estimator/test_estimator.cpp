@@ -502,6 +502,20 @@ TEST_CASE("Estimator: a payload that comes slowly is followed while it comes", "
   }
 }
 
+TEST_CASE("Estimator: a verdict with less than the odds asked for is a rejection", "[estimator]") {
+  for (const bool sceptical : {false, true}) {
+    rme::EstimatorConfig<double, 7> config;
+    config.odds = sceptical ? 1e6 : 0;
+    Host<7> host(panda(), link_side(panda(), 20), config);
+    host.run(1);
+    host.arm.attach(kFirst);
+    host.run(1.2);
+    CHECK(host.estimates.size() == (sceptical ? 0u : 1u));
+    CHECK(host.rejections == (sceptical ? 1 : 0));
+    CHECK(host.estimator.estimate().empty == sceptical);  // the early estimates are taken back
+  }
+}
+
 TEST_CASE("Estimator: a push that grows and fades is not carried for a moment", "[estimator]") {
   const std::uint64_t seed = 19;
   CAPTURE(seed);
@@ -585,6 +599,8 @@ TEST_CASE("Estimator: a setting out of range is refused by name", "[estimator]")
     CHECK_THROWS_WITH(with([=](Config& c) { c.refresh = bad; }), contains("EstimatorConfig::refresh"));
     CHECK_THROWS_WITH(with([=](Config& c) { c.gyration_radius = bad; }), contains("EstimatorConfig::gyration_radius"));
   }
+  CHECK_THROWS_WITH(with([=](Config& c) { c.odds = nan; }), contains("EstimatorConfig::odds"));
+  CHECK_THROWS_WITH(with([=](Config& c) { c.early_odds = nan; }), contains("EstimatorConfig::early_odds"));
   CHECK_THROWS_WITH(with([](Config& c) { c.gravity.setZero(); }), contains("EstimatorConfig::gravity"));
   CHECK_THROWS_WITH(with([=](Config& c) { c.gravity[1] = nan; }), contains("EstimatorConfig::gravity"));
   CHECK_THROWS_WITH(with([](Config& c) { c.sensors.clear(); }), contains("EstimatorConfig::sensors"));
