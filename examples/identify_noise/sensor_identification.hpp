@@ -209,6 +209,9 @@ class SensorIdentification {
       correlation = fit_spreads(j, u);
     }
     out.correlation = std::max(out.correlation, correlation);
+    // The means, found from the same windows, have taken their share of what varies from window to window.
+    const double freedom = windows_ - static_cast<double>(u.means.size());
+    u.lambda *= windows_ / std::max(1.0, freedom);
     const Eigen::Index c = u.means.size() - 2;
     out.coulomb_known[s] =
         moves_both_ways(j) && take(u.means[c], doubt[0], u.lambda[1], model.coulomb_mean[j], model.coulomb_std[j]);
@@ -217,9 +220,8 @@ class SensorIdentification {
     model.noise[j] = std::sqrt(u.noise);
     // A handful of logs says little about how far offsets spread: the preset counts as one more.
     model.offset[j] = std::sqrt((u.means.head(c).squaredNorm() + preset_.offset[j] * preset_.offset[j]) / (logs + 1));
-    // Each log's own offset has taken its share of what varies from window to window.
-    const double stiction = std::sqrt(u.lambda[0] * windows_ / std::max(1.0, windows_ - logs));
-    out.stiction_known[s] = out.coulomb_known[s] && windows_ >= 3 * logs;
+    const double stiction = std::sqrt(u.lambda[0]);
+    out.stiction_known[s] = out.coulomb_known[s] && freedom >= 5;
     if (out.stiction_known[s] || stiction > model.stiction[j]) model.stiction[j] = stiction;
   }
 
