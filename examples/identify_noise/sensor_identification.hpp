@@ -85,7 +85,7 @@ class SensorIdentification {
   static constexpr double kWindow = 0.5;    ///< length of a window, about that of an event and its baseline [s]
   static constexpr int kLeastWindows = 10;  ///< in all logs together
 
-  /// @param preset    what is kept where the logs say nothing; also gives the noise's correlation time
+  /// @param preset      what is kept where the logs say nothing; also gives the noise's correlation time
   /// @param collection  length of the windows that an event is estimated from [s]
   SensorIdentification(const SensorModel<double, 7>& preset, double collection)
       : preset_(preset),
@@ -120,6 +120,9 @@ class SensorIdentification {
   static constexpr double kLeast = 1e-4;  // that a standard deviation may be [N m, N m s/rad]
   static constexpr double kFast = 0.1;    // slower motion says nothing about viscous friction [rad/s]
 
+  using Regressors = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // of the nuisances, a row per block
+  using Weights = Eigen::Matrix<double, Eigen::Dynamic, 4>;     // of a payload (m, m r)
+
   /// What is unknown of a joint. The means are (o of each log, c, v).
   struct Unknowns {
     Eigen::VectorXd means;
@@ -137,13 +140,13 @@ class SensorIdentification {
       const auto& blocks = logs_[log][static_cast<std::size_t>(joint)];
       for (Eigen::Index row = 0; row + per_window_ <= blocks.rows(); row += per_window_) {
         const auto window = blocks.middleRows(row, per_window_);
-        visit(log, Eigen::VectorXd(window.col(0)), Eigen::MatrixX3d(window.middleCols<3>(1)));
+        visit(log, Eigen::VectorXd(window.col(0)), Regressors(window.middleCols<3>(1)));
       }
     }
   }
 
   /// (noise + N Lambda N^T)^-1 of a window.
-  static Eigen::LLT<Eigen::MatrixXd> whitener(double noise, const Eigen::Matrix3d& lambda, const Eigen::MatrixX3d& N) {
+  static Eigen::LLT<Eigen::MatrixXd> whitener(double noise, const Eigen::Matrix3d& lambda, const Regressors& N) {
     Eigen::MatrixXd V = N * lambda * N.transpose();
     V.diagonal().array() += noise;
     return Eigen::LLT<Eigen::MatrixXd>(V);
@@ -154,8 +157,8 @@ class SensorIdentification {
     const Eigen::Index size = u.means.size();
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(size);
-    for_each_window(joint, [&](std::size_t log, const Eigen::VectorXd& y, const Eigen::MatrixX3d& N) {
-      const Eigen::MatrixX3d VN = whitener(u.noise, u.lambda.asDiagonal(), N).solve(N);
+    for_each_window(joint, [&](std::size_t log, const Eigen::VectorXd& y, const Regressors& N) {
+      const Regressors VN = whitener(u.noise, u.lambda.asDiagonal(), N).solve(N);
       const Eigen::Matrix3d F = N.transpose() * VN;
       const Eigen::Vector3d f = VN.transpose() * y;
       const Eigen::Index at[] = {static_cast<Eigen::Index>(log), size - 2, size - 1};
@@ -177,7 +180,7 @@ class SensorIdentification {
     const Eigen::Matrix3d lambda = u.lambda.asDiagonal();
     Eigen::Vector3d spread = Eigen::Vector3d::Zero();
     double rest = 0, variance = 0, covariance = 0;
-    for_each_window(joint, [&](std::size_t log, const Eigen::VectorXd& y, const Eigen::MatrixX3d& N) {
+    for_each_window(joint, [&](std::size_t log, const Eigen::VectorXd& y, const Regressors& N) {
       const auto V = whitener(u.noise, lambda, N);
       const Eigen::VectorXd error = y - N * u.beta(log);
       const Eigen::Vector3d deviation = lambda * (N.transpose() * V.solve(error));  // of beta, its posterior mean
@@ -261,10 +264,10 @@ class SensorIdentification {
         Eigen::Vector4d score = Eigen::Vector4d::Zero();
         for (std::size_t j = 0; j < 7; ++j) {
           const auto blocks = log[j].middleRows(row, per_event_);
-          const Eigen::MatrixX3d N = blocks.middleCols<3>(1);
-          const Eigen::MatrixX4d payload = blocks.rightCols<4>();
+          const Regressors N = blocks.middleCols<3>(1);
+          const Weights payload = blocks.rightCols<4>();
           const double noise = model.noise[static_cast<Eigen::Index>(j)];
-          const Eigen::MatrixX4d whitened = whitener(noise * noise, prior.covariance[j], N).solve(payload);
+          const Weights whitened = whitener(noise * noise, prior.covariance[j], N).solve(payload);
           information += payload.transpose() * whitened;
           score += whitened.transpose() * (blocks.col(0) - N * prior.mean[j]);
         }
