@@ -103,6 +103,25 @@ Log<Dofs> read_log(const std::string& path) {
   return parse_log<Dofs>(read_file(path), path);
 }
 
+/// The rows of the log with begin <= t < end.
+template <int Dofs>
+Log<Dofs> cropped(const Log<Dofs>& log, double begin, double end) {
+  const auto row = [&log](double t) { return std::lower_bound(log.t.begin(), log.t.end(), t) - log.t.begin(); };
+  const auto first = row(begin), last = row(end);
+  const auto crop = [&](const auto& from, auto& to) {
+    if (!from.empty()) to.assign(from.begin() + first, from.begin() + last);
+  };
+  Log<Dofs> out;
+  out.name = log.name;
+  crop(log.t, out.t);
+  crop(log.q, out.q);
+  crop(log.dq, out.dq);
+  crop(log.tau_ext, out.tau_ext);
+  crop(log.tau, out.tau);
+  crop(log.truth, out.truth);
+  return out;
+}
+
 /// Refuses a log from which no external torque can be had: neither tau_ext, nor tau and dq for a momentum observer.
 /// @throws LogError naming what is missing
 template <int Dofs>
@@ -116,6 +135,17 @@ void require_external_torque(const Log<Dofs>& log) {
   if (log.dq.empty()) {
     throw LogError(log.name + ":1: columns " + range("dq") + " are missing: without " + range("tau_ext") +
                    ", the external torque comes from " + range("tau") + " and them");
+  }
+}
+
+/// Refuses a log that says itself that the hand holds something.
+/// @throws LogError naming the first instant at which it does
+template <int Dofs>
+void require_empty_hand(const Log<Dofs>& log) {
+  for (std::size_t i = 0; i < log.truth.size(); ++i) {
+    if (log.truth[i][0] == 0) continue;
+    throw LogError(log.name + ": column m: the hand holds something from t = " + std::to_string(log.t[i]) +
+                   " s on; --span leaves that out");
   }
 }
 

@@ -40,18 +40,16 @@ auto named(const std::string& file, Make&& make) {
   }
 }
 
-/// Takes the options above out of `arguments`.
+/// The settings that a file holds.
+inline EstimatorConfig<double, 7> read_estimator(const std::string& file) {
+  return named(file, [&] { return estimator_config_from_json<double, 7>(read_json_file(file)); });
+}
+
+/// Takes --config and --preset out of `arguments`.
 /// @throws ArgumentError naming what is wrong
-inline ReplayRequest parse_replay_options(Arguments& arguments) {
-  ReplayRequest request;
-  ReplayOptions& options = request.options;
-  auto& estimator = options.estimator;
-  if (const auto file = arguments.text("--config"))
-    estimator = named(*file, [&] { return estimator_config_from_json<double, 7>(read_json_file(*file)); });
-  if (const auto file = arguments.text("--weights"))
-    request.weights = named(*file, [&] { return read_network_file(*file); });
-  options.at = arguments.number("--at");
-  estimator.collection = arguments.number("--window").value_or(estimator.collection);
+inline EstimatorConfig<double, 7> parse_estimator(Arguments& arguments) {
+  EstimatorConfig<double, 7> estimator;
+  if (const auto file = arguments.text("--config")) estimator = read_estimator(*file);
   const std::string preset = arguments.text("--preset").value_or("");
   if (preset == "link_side")
     estimator.sensors = {SensorModel<double, 7>::link_side()};
@@ -61,6 +59,20 @@ inline ReplayRequest parse_replay_options(Arguments& arguments) {
     estimator.sensors = EstimatorConfig<double, 7>().sensors;
   else if (!preset.empty())
     throw ArgumentError("--preset: \"" + preset + "\" is none of unknown, link_side, joint_friction");
+  return estimator;
+}
+
+/// Takes the options above out of `arguments`.
+/// @throws ArgumentError naming what is wrong
+inline ReplayRequest parse_replay_options(Arguments& arguments) {
+  ReplayRequest request;
+  ReplayOptions& options = request.options;
+  auto& estimator = options.estimator;
+  estimator = parse_estimator(arguments);
+  if (const auto file = arguments.text("--weights"))
+    request.weights = named(*file, [&] { return read_network_file(*file); });
+  options.at = arguments.number("--at");
+  estimator.collection = arguments.number("--window").value_or(estimator.collection);
   const std::string detector = arguments.text("--detector").value_or("");
   if (detector == "published") {
     estimator.detector = MismatchDetectorConfig::published();

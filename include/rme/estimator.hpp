@@ -496,7 +496,11 @@ template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::store(Estimate<Scalar>& estimate, const PayloadGaussian<Scalar>& posterior,
                                                  bool empty, bool final) noexcept {
   estimate.posterior = posterior;
-  if (empty) estimate.posterior.mean.setZero();
+  if (empty) {  // what the mean is moved by counts as doubt
+    const Vector4<Scalar> mean = posterior.mean;
+    estimate.posterior.covariance += mean * mean.transpose();
+    estimate.posterior.mean.setZero();
+  }
   estimate.empty = empty;
   estimate.final = final;
   estimate.confidence = Scalar(1);

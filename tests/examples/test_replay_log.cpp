@@ -1,8 +1,4 @@
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <rme/core/payload.hpp>
 #include <sstream>
@@ -11,47 +7,23 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/program.hpp"
 
 // The program itself, as its users run it.
 
 namespace {
 
 using nlohmann::json;
+using rme::testing::Result;
+using rme::testing::run;
+using rme::testing::Stream;
+using rme::testing::TemporaryFile;
 
-/// A file in the current folder for as long as the test runs.
-struct TemporaryFile {
-  TemporaryFile(std::string file_name, const std::string& content) : name(std::move(file_name)) {
-    std::ofstream(name, std::ios::binary) << content;
-  }
-  ~TemporaryFile() { std::remove(name.c_str()); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  std::string name;
-};
-
-struct Result {
-  int exit_code;
-  std::string text;  ///< of the one stream asked for
-};
-
-/// @param redirection  which stream is kept: "2>/dev/null" or "2>&1 >/dev/null"
-Result shell(const std::string& arguments, const char* redirection) {
-  const std::string command = std::string("\"") + RME_REPLAY_LOG + "\" " + arguments + " " + redirection;
-  FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  Result result{};
-  char buffer[4096];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) result.text.append(buffer, n);
-  const int status = pclose(pipe);
-  REQUIRE(WIFEXITED(status));
-  result.exit_code = WEXITSTATUS(status);
-  return result;
-}
 Result output_of(const std::string& arguments) {
-  return shell(arguments, "2>/dev/null");
+  return run(RME_REPLAY_LOG, arguments, Stream::Output);
 }
 Result errors_of(const std::string& arguments) {
-  return shell(arguments, "2>&1 >/dev/null");
+  return run(RME_REPLAY_LOG, arguments, Stream::Errors);
 }
 
 /// The lines of `--json`, each parsed for itself.
