@@ -78,6 +78,7 @@ struct FrankaArm {
     return franka::Robot({[this] { return read(); }, [this](const franka::Torques& torques) { command(torques); },
                           [this](double mass, const Eigen::Vector3d& com, const Eigen::Matrix3d& inertia) {
                             load = {mass, com, inertia};
+                            ++loads_set;
                           }});
   }
   /// Runs the snippet's control loop for a while, around a controller that holds the pose.
@@ -95,6 +96,7 @@ struct FrankaArm {
   Vector pose = panda().ready + Vector::Constant(0.1);
   Arm arm{panda(), ArmConfig(), pose};
   RigidBody load;
+  int loads_set = 0;
   Vector commanded = Vector::Zero();
   int ticks = 0;
   int spoilt_tick = -1;
@@ -141,16 +143,23 @@ TEST_CASE("embedding.md: the load handed over is the payload in flange axes, and
   franka::Robot robot = franka.robot();
   PayloadCompensation<7> payload(kPeriod, franka_config());
   hand_over(robot, franka.read(), payload);
-  CHECK(franka.load.mass == 0);  // there is nothing yet
-
+  CHECK(franka.loads_set == 0);  // there is nothing yet
   franka.control(robot, payload, 1000);
   franka.arm.attach(unknown_kilogram());
-  franka.control(robot, payload, 2000);
+  franka.control(robot, payload, 200);
+  REQUIRE_FALSE(payload.estimator().estimate().empty);
   hand_over(robot, franka.read(), payload);
+  CHECK(franka.loads_set == 0);  // there is an early estimate
+
+  franka.control(robot, payload, 1800);
+  hand_over(robot, franka.read(), payload);
+  CHECK(franka.loads_set == 1);
   const Vector wanted = torque_that_holds(unknown_kilogram(), franka.arm.kinematics());
   CHECK((torque_that_holds(franka.load, franka.arm.kinematics()) - wanted).norm() < 0.02 * wanted.norm());
   CHECK(franka.load.inertia.isApprox(franka.load.mass * 9e-4 * Eigen::Matrix3d::Identity()));
 
+  franka.control(robot, payload, 10);
+  CHECK(payload.torque().isZero(0));
   franka.control(robot, payload, 2000);
   CHECK(payload.estimator().phase() == rme::Phase::Watching);
   CHECK(payload.torque().isZero(0));
