@@ -241,7 +241,7 @@ TEST_CASE("embedding.md: ros2_control's snippet holds an unknown kilogram within
   SwingingController controller;
   Hardware hardware(controller);
   REQUIRE(hardware.run(1000) == 1000);
-  CHECK(hardware.commanded() == controller.nominal);
+  CHECK((hardware.commanded() == controller.nominal));
   hardware.arm.attach(unknown_kilogram());
   REQUIRE(hardware.run(3000) == 3000);
   const Vector wanted = torque_that_holds(unknown_kilogram(), hardware.arm.kinematics());
@@ -259,10 +259,10 @@ TEST_CASE("embedding.md: ros2_control's snippet survives four bad samples with i
   const Vector last = hardware.commanded();
   hardware.torque_is_lost = true;
   CHECK(hardware.run(4) == 4);
-  CHECK(hardware.commanded() == last);
+  CHECK((hardware.commanded() == last));
   hardware.torque_is_lost = false;
   CHECK(hardware.run(1) == 1);
-  CHECK(hardware.commanded() != last);
+  CHECK((hardware.commanded() != last));
   hardware.torque_is_lost = true;
   CHECK(hardware.run(5) == 4);
 }
@@ -292,9 +292,9 @@ TEST_CASE("embedding.md: Pinocchio's snippet sees what a moving arm's own observ
     CAPTURE(k, arm.dq().transpose());
     // C^T dq takes another way through the stand-in's matrix, which costs some digits.
     REQUIRE((sample.tau_ext - arm.tau_ext()).norm() < 1e-9);
-    REQUIRE(sample.jacobian == arm.kinematics().jacobian);
-    REQUIRE(sample.rotation == arm.kinematics().rotation);
-    REQUIRE(sample.dq == arm.dq());
+    REQUIRE((sample.jacobian == arm.kinematics().jacobian));
+    REQUIRE((sample.rotation == arm.kinematics().rotation));
+    REQUIRE((sample.dq == arm.dq()));
     arm.step(arm.dynamics().gravity);
   }
 }
