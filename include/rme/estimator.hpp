@@ -95,7 +95,7 @@ class Estimator {
   /// that know when the gripper closes. If the weight comes later in the collection, what was before it is left out.
   void trigger() noexcept;
   /// Says that the hand has been empty for the last `duration` seconds: what the sensor showed is the baseline of all
-  /// events to come, and no other is learned.
+  /// events to come, and no other is learned. Without samples it says nothing.
   void tare(double duration) noexcept;
 
   Phase phase() const noexcept { return phase_; }
@@ -322,7 +322,9 @@ void Estimator<Scalar, Dofs, PriorSource>::trigger() noexcept {
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::tare(double duration) noexcept {
-  learn_baseline(0, ticks_of(std::max(duration, 0.0)));
+  const std::size_t count = ticks_of(std::max(duration, 0.0));
+  if (count == 0 || window_.size() == 0) return;
+  learn_baseline(0, count);
   tared_ = true;
 }
 
