@@ -250,8 +250,6 @@ Status Estimator<Scalar, Dofs, PriorSource>::update(const Proprioception<Scalar,
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::watch() noexcept {
   if (detector_.update(watched(0)) != Status::Ok) return;
-  // Before the first baseline can be learned, an arm that starts to move looks like one that is handed something.
-  if (time() < config_.detector.window + config_.baseline + config_.baseline_guard) return;
   if (detector_.rapid_change() && !changing_) begin_change();
   if (!changing_) return;
   if (ticks_ - change_tick_ > window_.capacity()) {  // it does not settle: what was long ago counts no more
@@ -279,6 +277,8 @@ template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::begin_change() noexcept {
   const std::size_t span = ticks_of(config_.onset_span), window = ticks_of(config_.detector.window);
   const Onset<Scalar> onset = find_onset(window_, window + 2 * span, span);
+  // Before the first baseline can be learned, an arm that starts to move looks like one that is handed something.
+  if (!is_onset(onset) && time() < config_.detector.window + config_.baseline + config_.baseline_guard) return;
   forget_event();
   changing_ = true;
   noticed_at_ = time();
