@@ -488,7 +488,10 @@ void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
     phase_ = Phase::Estimating;
   } else {
     rejected_ = true;
-    pushed_ = verdict_.push > verdict_.unchanged;
+    const bool push = verdict_.push > verdict_.unchanged;
+    // One push after the other, and never the old state in between: what is known of the offset may be what is wrong.
+    if (push && pushed_ && !tared_) inference_.forget_baseline();
+    pushed_ = push;
   }
   latest_ = known_;
   forget_event();

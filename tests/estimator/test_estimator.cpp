@@ -198,6 +198,25 @@ TEST_CASE("Estimator: compensation is -J^T times the wrench of the estimate, whe
   }
 }
 
+TEST_CASE("Estimator: a push that has been there from the start does not spoil all that follows", "[estimator]") {
+  // What was quiet before its end is taken for the empty hand, and the empty hand that follows for another push.
+  Host<7> host(panda(), link_side(panda(), 20));
+  host.arm.push({{10, -8, 3}, Eigen::Vector3d::Zero()});
+  host.run(1.5);
+  host.arm.push({});
+  host.run(2);
+  int handle = host.arm.attach(kFirst);
+  host.run(2);
+  host.arm.detach(handle);
+  host.run(2);
+  handle = host.arm.attach(kSecond);
+  host.run(2);
+  check_close(host.estimator.estimate(), kSecond, host.arm.kinematics().rotation);
+  host.arm.detach(handle);
+  host.run(2);
+  CHECK(host.estimator.phase() == Phase::Watching);
+}
+
 /// The samples of a run in which an object comes, another joins it, both go, and somebody pushes.
 std::vector<Sample<7>> recording(std::uint64_t seed) {
   Host<7> host(panda(), link_side(panda(), seed));
