@@ -90,6 +90,25 @@ TEST_CASE("SampleWindow: a flange that turns about an axis is pulled towards it 
   }
 }
 
+TEST_CASE("SampleWindow: what the host says of the flange's motion is taken as it is", "[sample_window]") {
+  SampleWindow<double, 2> window(1e-3);
+  auto sample = sample_of(1, 0.5);
+  REQUIRE(window.push(sample) == Status::Ok);
+  sample.motion = rme::FlangeMotion<double>{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+  REQUIRE(window.push(sample) == Status::Ok);
+  CHECK(window.newest().motion.angular_velocity == Eigen::Vector3d(1, 2, 3));
+  CHECK(window.newest().motion.linear_acceleration == Eigen::Vector3d(4, 5, 6));
+  CHECK(window.newest().motion.angular_acceleration == Eigen::Vector3d(7, 8, 9));
+  for (int i = 0; i < 3; ++i) {
+    auto bad = sample;
+    (i == 0   ? bad.motion->angular_velocity
+     : i == 1 ? bad.motion->linear_acceleration
+              : bad.motion->angular_acceleration)[i] = std::nan("");
+    CHECK(window.push(bad) == Status::NonFiniteInput);
+  }
+  CHECK(window.size() == 2);
+}
+
 TEST_CASE("SampleWindow: a joint at rest keeps the direction in which it moved last", "[sample_window]") {
   SampleWindow<double, 2> window(1e-3);  // rest is below 1e-3 rad/s
   struct Step {

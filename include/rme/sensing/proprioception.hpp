@@ -1,6 +1,8 @@
 #pragma once
 /// What a host hands in each tick, and the check that it makes sense.
 #include <cmath>
+#include <optional>
+#include <rme/core/flange_motion.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 
@@ -14,6 +16,9 @@ struct Proprioception {
   Matrix3<Scalar> rotation = Matrix3<Scalar>::Identity();                 ///< R, end-effector axes to world axes
   /// Joint velocity [rad/s]. Left at zero, the arm is taken to be at rest: no inertia force, no friction.
   JointVector<Scalar, Dofs> dq = JointVector<Scalar, Dofs>::Zero();
+  /// How the flange has moved over the period that ends now, from a host that knows better than the differences of
+  /// J dq, which are taken otherwise.
+  std::optional<FlangeMotion<Scalar>> motion = std::nullopt;
 };
 
 /// @return Ok; NonFiniteInput; NotARotation if R^T R is further than 1e-3 from the identity or R is a mirror
@@ -21,6 +26,10 @@ template <typename Scalar, int Dofs>
 Status check(const Proprioception<Scalar, Dofs>& sample) noexcept {
   if (!sample.tau_ext.allFinite() || !sample.jacobian.allFinite() || !sample.rotation.allFinite() ||
       !sample.dq.allFinite())
+    return Status::NonFiniteInput;
+  if (sample.motion &&
+      !(sample.motion->angular_velocity.allFinite() && sample.motion->linear_acceleration.allFinite() &&
+        sample.motion->angular_acceleration.allFinite()))
     return Status::NonFiniteInput;
   const Matrix3<Scalar>& R = sample.rotation;
   const Scalar error = (R.transpose() * R - Matrix3<Scalar>::Identity()).cwiseAbs().maxCoeff();

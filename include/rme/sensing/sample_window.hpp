@@ -39,7 +39,8 @@ struct Sample {
 /// needs no instant at which the filter started, and white sensor noise comes out white (docs/theory.md, "Matching the
 /// observer").
 ///
-/// The flange's acceleration is the backward difference of J dq: it belongs to the same period as tau_k.
+/// Unless the host says how the flange moves, its acceleration is the backward difference of J dq: that belongs to the
+/// same period as tau_k.
 template <typename Scalar, int Dofs>
 class SampleWindow {
  public:
@@ -97,6 +98,7 @@ Status SampleWindow<Scalar, Dofs>::push(const Proprioception<Scalar, Dofs>& in) 
     sample.motion.angular_acceleration = (twist.angular - last_twist.angular) / dt_;
     sample.direction = last.direction;
   }
+  if (in.motion) sample.motion = *in.motion;
   for (int j = 0; j < Dofs; ++j)
     if (std::abs(in.dq[j]) > rest_velocity_) sample.direction[j] = in.dq[j] > 0 ? Scalar(1) : Scalar(-1);
   // Finite but enormous numbers overflow here rather than in the inference.
