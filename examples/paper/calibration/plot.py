@@ -50,7 +50,8 @@ def draw(folder, picture):
             above.stairs([int(row["count"]) for row in bars], edges, color=colour, label=preset)
             mine = [row for row in events if row["preset"] == preset]
             below.plot(*coverage(mine, parameter), color=colour, label=preset)
-        above.axhspan(float(bars[0]["least"]), float(bars[0]["most"]), color="#e8e8e8", linewidth=0)
+        above.axhspan(float(bars[0]["least"]), float(bars[0]["most"]), color="#e8e8e8", linewidth=0,
+                      zorder=0)
         above.set_ylim(bottom=0)
         above.set_title(parameter, loc="left")
         above.set_xlabel("rank of the truth")
