@@ -131,7 +131,7 @@ class Estimator {
   bool is_onset(const Onset<Scalar>& onset) const noexcept {
     return onset.sharp() && onset.jump > static_cast<Scalar>(config_.onset_jump);
   }
-  bool refresh_due(std::size_t since) const noexcept {
+  bool refresh_due(std::uint64_t since) const noexcept {
     return config_.refresh > 0 && since > 0 && since % ticks_of(config_.refresh) == 0;
   }
   PayloadRegressor<Scalar, Dofs> regressor(const Sample<Scalar, Dofs>& sample) const noexcept {

@@ -35,10 +35,34 @@ bool estimator_weighs_a_kilogram() {
   return std::abs(estimator.estimate().payload().mass - Scalar(1)) < Scalar(0.02);
 }
 
+/// J = I and M = I, so that ddq = tau - h: the passive law asks for 30 N along x (60 N s/m times 0.5 m/s), a row allows
+/// half of it.
+template <typename Scalar>
+bool constraint_holds_back_the_passive_law() {
+  rme::PassiveController<Scalar> passive;
+  rme::Flow<Scalar> flow;
+  flow.velocity.x() = Scalar(0.5);
+  if (passive.update(flow, rme::Flow<Scalar>(), rme::Twist<Scalar>()) != rme::Status::Ok) return false;
+  rme::CpicConfig<Scalar, 6> config;
+  config.torque_limit.setConstant(Scalar(87));
+  rme::Cpic<Scalar, 6> cpic(config);
+  rme::CpicInput<Scalar, 6> input;
+  input.jacobian.setIdentity();
+  input.mass_matrix.setIdentity();
+  input.bias.setZero();
+  input.wrench = passive.wrench();
+  typename rme::Cpic<Scalar, 6>::Rows rows;
+  if (cpic.update(input, rows) != rme::Status::Ok || std::abs(cpic.torque()[0] - Scalar(30)) > Scalar(1e-4))
+    return false;
+  if (rows.add_axis(0, -rows.kFree, Scalar(15)) != rme::Status::Ok) return false;
+  return cpic.update(input, rows) == rme::Status::Ok && std::abs(cpic.torque()[0] - Scalar(15)) < Scalar(1e-4) &&
+         cpic.multiplier(0) < 0;
+}
+
 template <typename Scalar>
 bool all() {
   return kilogram_weighs_9_81_newton<Scalar>() && ring_keeps_the_newest<Scalar>() &&
-         estimator_weighs_a_kilogram<Scalar>();
+         estimator_weighs_a_kilogram<Scalar>() && constraint_holds_back_the_passive_law<Scalar>();
 }
 
 }  // namespace
