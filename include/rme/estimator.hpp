@@ -8,6 +8,7 @@
 #include <rme/core/payload.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
+#include <rme/estimate.hpp>
 #include <rme/estimator_config.hpp>
 #include <rme/inference/event_inference.hpp>
 #include <rme/inference/fixed_prior.hpp>
@@ -20,43 +21,6 @@
 #include <rme/sensing/sample_window.hpp>
 
 namespace rme {
-
-/// Where an Estimator is in its life cycle: Watching -> Collecting -> Estimating -> Compensating or Watching again.
-enum class Phase : std::uint8_t {
-  Watching,      ///< the hand is empty; waits for a change
-  Collecting,    ///< a change was noticed; gathers samples
-  Estimating,    ///< this tick has made an estimate
-  Compensating,  ///< something is in the hand; waits for the next change
-};
-
-constexpr const char* to_string(Phase phase) noexcept {
-  switch (phase) {
-    case Phase::Watching:
-      return "Watching";
-    case Phase::Collecting:
-      return "Collecting";
-    case Phase::Estimating:
-      return "Estimating";
-    case Phase::Compensating:
-      return "Compensating";
-  }
-  return "unknown";
-}
-
-/// An estimate and where it comes from. Times count from the estimator's construction or reset [s].
-template <typename Scalar>
-struct Estimate {
-  PayloadGaussian<Scalar> posterior;  ///< of everything in the hand, not of what was added last
-  bool empty = true;                  ///< nothing in the hand, as far as the torque can tell: the mean is then zero
-  bool final = true;                  ///< from the whole event; else early, while it is still going on
-  /// How much of the change to compensate for, 0 to 1: the odds against a push, times m^2 / (m^2 + std^2). 1 if final.
-  Scalar confidence = Scalar(1);
-  double detected_at = 0;                   ///< when the change had settled; of an early estimate when it was noticed
-  double window_begin = 0, window_end = 0;  ///< of the samples used
-
-  /// What to compensate for: the posterior's mean, or nothing for an empty hand.
-  Payload<Scalar> payload() const noexcept { return empty ? Payload<Scalar>() : posterior.payload(); }
-};
 
 /// Watches, collects, estimates, compensates (paper, Figure 2). One per arm.
 ///
@@ -74,9 +38,8 @@ struct Estimate {
 /// Real time: no call but the constructor allocates or throws. update() is O(Dofs) on most ticks; one that makes an
 /// estimate runs the inference, whose cost does not depend on the length of the window. The tick that notices a change,
 /// and those that place its onset anew, pass over at most the detector's window.
-/// @tparam PriorSource  callable (const SampleWindow&, size_t count) -> PayloadGaussian, noexcept; count: how many of
-/// the
-///                      newest samples have been collected since the change settled, fewer than all if early
+/// @tparam PriorSource  callable (const SampleWindow&, size_t count) -> PayloadGaussian, noexcept. count: newest
+///                      samples collected since the change settled; fewer than all while an estimate is early
 template <typename Scalar, int Dofs, typename PriorSource = FixedPrior<Scalar>>
 class Estimator {
  public:
@@ -347,7 +310,7 @@ void Estimator<Scalar, Dofs, PriorSource>::learn_baseline(std::size_t newest, st
 /// Nothing is going on.
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::forget_event() noexcept {
-  changing_ = onset_known_ = false;
+  changing_ = onset_known_ = triggered_ = false;
   steady_ = 0;
   event_.clear();
   settled_.clear();

@@ -21,6 +21,7 @@
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
+#include <rme/estimate.hpp>
 #include <rme/estimator.hpp>
 #include <rme/estimator_config.hpp>
 #include <rme/inference/event_evidence.hpp>

@@ -500,6 +500,20 @@ TEST_CASE("Estimator: 60 ms after a sharp change most of the payload is carried,
   }
 }
 
+TEST_CASE("Estimator: a change after a triggered one is carried as early as any", "[estimator]") {
+  Host<7> host(panda(), link_side(panda(), 21));
+  host.run(1);
+  host.estimator.trigger();
+  host.arm.attach(kFirst);
+  host.run(1.5);
+  REQUIRE(host.estimates.size() == 1);
+  host.arm.attach(kSecond);
+  host.run(0.06);
+  const double total = kFirst.mass + kSecond.mass;
+  CHECK_FALSE(host.estimator.estimate().final);
+  CHECK(std::abs(host.estimator.estimate().posterior.mean[0] - total) < 0.05 * total);
+}
+
 TEST_CASE("Estimator: a payload that comes slowly is followed while it comes", "[estimator]") {
   for (const double ramp : {0.5, 1.0, 2.0}) {
     CAPTURE(ramp);
