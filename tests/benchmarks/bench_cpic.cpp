@@ -80,6 +80,7 @@ void time_update(int paths) {
   std::uniform_real_distribution<double> uniform;
   for (int path = 0; path < paths; ++path) {
     rme::Cpic<double, 7> cpic(config);
+    rme::benchmarks::rest();
     const auto states = walk(random, std::pow(10.0, 4 * uniform(random) - 2));
     const Vector room = (20 * Vector::Ones()).cwiseProduct(random_vector(random).cwiseAbs());
     for (const State& s : states) {
@@ -114,6 +115,7 @@ void time_solver(int paths) {
   };
   const Vector limit = rme::examples::panda().tau_max;
   for (int path = 0; path < paths; ++path) {
+    rme::benchmarks::rest();
     const auto states = walk(random, std::pow(10.0, 4 * uniform(random) - 2));
     std::vector<Vector> gradients;
     std::vector<double> room;
@@ -160,6 +162,7 @@ void time_rows(int paths) {
   const int counts[] = {0, 1, 2, 4, 7, 14, 21, 28};
   std::vector<double> times[std::size(counts)];
   for (int path = 0; path < paths; ++path) {
+    rme::benchmarks::rest();
     const auto states = walk(random, 0.01);
     Vector gradients[28];
     for (Vector& gradient : gradients) gradient = random_vector(random).normalized();

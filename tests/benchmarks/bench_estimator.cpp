@@ -1,10 +1,11 @@
 // What does a host's tick cost? A simulated Panda holds random poses while random payloads come and go; each tick feeds
 // the estimator and asks for the compensation torque, timed as one. The tick that estimates is the whole chain: from
 // the window's last sample to payload, covariance and torque.
-#include <array>
+#include <cstdio>
 #include <random>
 #include <rme/estimator.hpp>
 #include <rme/network/network_prior.hpp>
+#include <string>
 #include <vector>
 
 #include "benchmarks/shipped_network.hpp"
@@ -70,32 +71,36 @@ void live(std::mt19937_64& random, const Prior& prior, const std::size_t& asked,
   }
 }
 
+/// @param which  what the rows' names end with
 template <typename Prior>
-void report(const char* title, const Prior& prior, const std::size_t& asked, int events) {
+void report(const std::string& which, const Prior& prior, const std::size_t& asked, int events) {
   std::mt19937_64 random(401);
   Times times;
-  for (int k = 0; k < events; ++k) live(random, prior, asked, times);
-  benchmarks::print_head(title);
-  benchmarks::print_row("tick while watching", times.watching);
-  benchmarks::print_row("tick while collecting", times.collecting);
-  benchmarks::print_row("tick with an early estimate", times.early);
-  benchmarks::print_row("tick with the final estimate", times.final);
+  for (int k = 0; k < events; ++k) {
+    live(random, prior, asked, times);
+    benchmarks::rest();
+  }
+  benchmarks::print_head(("Estimator, " + which).c_str());
+  benchmarks::print_row("tick while watching, " + which, times.watching);
+  benchmarks::print_row("tick while collecting, " + which, times.collecting);
+  benchmarks::print_row("tick with an early estimate, " + which, times.early);
+  benchmarks::print_row("tick with the final estimate, " + which, times.final);
   std::printf("\nseed 401, %d events; the network was asked in %zu of %zu final estimates\n", events, times.asked,
               times.final.size());
 }
 
 template <typename NetworkScalar>
-void report_network(const char* title, int events) {
+void report_network(const std::string& which, int events) {
   const auto network = benchmarks::shipped_network<NetworkScalar>();
   std::size_t asked = 0;
-  report(title, CountingPrior<NetworkScalar>{{*network, HeldArm::kPeriod}, &asked}, asked, events);
+  report(which, CountingPrior<NetworkScalar>{{*network, HeldArm::kPeriod}, &asked}, asked, events);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int events = benchmarks::quick(argc, argv) ? 5 : 2000;
-  report_network<float>("Estimator with the network in float", events);
-  report_network<double>("Estimator with the network in double", events);
-  report("Estimator without a network", FixedPrior<double>(), std::size_t(0), events);
+  const int events = benchmarks::quick(argc, argv) ? 5 : 5000;
+  report_network<float>("network in float", events);
+  report_network<double>("network in double", events);
+  report("no network", FixedPrior<double>(), std::size_t(0), events);
 }

@@ -93,7 +93,7 @@ struct Times {
 
 int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::strcmp(argv[argc - 1], "--quick") == 0;
-  const int events = quick ? 3 : 500;
+  const int events = quick ? 3 : 1000;
   const auto network = benchmarks::shipped_network<float>();
 #ifdef RME_WITH_TORCH
   std::unique_ptr<benchmarks::TorchNetwork> torch;
@@ -126,6 +126,7 @@ int main(int argc, char** argv) {
       benchmarks::keep(torque);
       if (status == Status::Ok && estimator.estimated()) times.ours.push_back(time);
     }
+    benchmarks::rest();
     if (!estimator.estimated()) continue;
 
     Network::Output guess = Network::Output::Zero();
@@ -163,7 +164,7 @@ int main(int argc, char** argv) {
       benchmarks::keep(result);
     }));
   }
-  benchmarks::print_head("The published pipeline, in C++, on the same data");
+  benchmarks::print_head("The published pipeline, in C++, on the same data, " RME_BENCHMARK_FLAGS);
   benchmarks::print_row("rme: whole estimate, network included", times.ours);
   benchmarks::print_row("rme: network with its input", times.network);
   if (!times.torch.empty()) benchmarks::print_row("published: network in TorchScript, with its input", times.torch);

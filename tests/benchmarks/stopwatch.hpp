@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace rme::benchmarks {
@@ -46,6 +47,15 @@ double time_of(const Call& call) {
   return std::chrono::duration<double, std::micro>(Clock::now() - start).count() - clock_cost();
 }
 
+/// To be called between measurements, every few milliseconds: Linux stops a program of real-time priority for 50 ms
+/// once it has been busy for 95 % of a second.
+inline void rest() {
+  using Clock = std::chrono::steady_clock;
+  static Clock::time_point last = Clock::now();
+  std::this_thread::sleep_for((Clock::now() - last) / 10);
+  last = Clock::now();
+}
+
 /// The value that this share of the times stays below.
 inline double percentile(std::vector<double> times, double share) {
   if (times.empty()) return 0;
@@ -76,6 +86,7 @@ double measure(const std::string& what, std::size_t runs, std::size_t batch, con
       for (std::size_t i = 0; i < batch; ++i) call(run * batch + i);
     });
     if (run >= warm_up) times.push_back(time / static_cast<double>(batch));
+    if (run % 100 == 99) rest();
   }
   print_row(what, times);
   return percentile(times, 0.5);
