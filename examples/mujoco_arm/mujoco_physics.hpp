@@ -14,8 +14,8 @@ namespace rme::examples {
 template <int Dofs>
 std::string to_mjcf(const ArmModel<Dofs>& model, const JointFriction<Dofs>& friction);
 
-/// Runge-Kutta 4 too, but MuJoCo's, with its soft Coulomb friction set so stiff that a joint held below its breakaway torque creeps
-/// 1e-6 rad/s. With friction, steps above half a millisecond are too coarse for it.
+/// Runge-Kutta 4 too, but MuJoCo's, with its soft Coulomb friction set so stiff that a joint held below its breakaway
+/// torque creeps 1e-6 rad/s. With friction, steps above half a millisecond are too coarse for it.
 template <int Dofs>
 class MujocoPhysics final : public Physics<Dofs> {
  public:
