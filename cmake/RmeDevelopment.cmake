@@ -12,7 +12,8 @@ target_compile_options(rme_development INTERFACE -Wall -Wextra -Wconversion -Wsh
 # rme_add_example(NAME SOURCE...): an example program.
 function(rme_add_example name)
   add_executable(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE rme::rme rme_development)
+  target_link_libraries(${name} PRIVATE rme_precompiled)
+  target_precompile_headers(${name} REUSE_FROM rme_precompiled)
 endfunction()
 
 # rme_add_test(FILE [LIBRARY...]): one Catch2 program from tests/<folder>/test_<header>.cpp; each test case becomes a ctest.

@@ -82,7 +82,7 @@ Options parse(int argc, char** argv) {
   options.arm.dt = kPeriod;
   if (no_noise) options.arm.torque_noise.setZero();
   if (no_offset) options.arm.torque_offset.setZero();
-  if (!options.friction) options.arm.coulomb = options.arm.viscous = Torque::Zero();
+  if (!options.friction) options.arm.friction = {};
   return options;
 }
 

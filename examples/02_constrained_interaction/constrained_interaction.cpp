@@ -6,6 +6,8 @@
 // unconstrained law cut to the torque limits. Printed are the distances to wall and limit and the energies; with
 // --output DIR both runs are written as CSV (plot.py draws them).
 #include <cmath>
+#include <cpic_host/energy_books.hpp>
+#include <cpic_host/host.hpp>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -14,7 +16,6 @@
 #include <string>
 #include <synthetic_arm/panda.hpp>
 
-#include "host.hpp"
 #include "io/arguments.hpp"
 
 namespace {
@@ -52,11 +53,9 @@ Result run(bool constrained, double force, std::ofstream* csv) {
   const Vector start = model.ready;
   const Kinematics<7> at = model.kinematics(start);
   const Wall wall{-Eigen::Vector3d::UnitX(), -(at.position.x() + kRoom)};
-  HostConfig config;
+  HostConfig config = HostConfig::hold(model, start);
   config.constrained = constrained;
   config.wall = wall;
-  config.target = at.position;
-  config.orientation = Eigen::Quaterniond(at.rotation);
   const Push forward{1, 0.2, 1.2, force * Eigen::Vector3d::UnitX()};
   const Push back{4, 0.2, 1.6, -force * Eigen::Vector3d(1, 0, 1).normalized()};
 
@@ -74,7 +73,7 @@ Result run(bool constrained, double force, std::ofstream* csv) {
     const double t = k * kPeriod;
     const Eigen::Vector3d push = forward.at(t) + back.at(t);
     arm.push({push, Eigen::Vector3d::Zero()});
-    const Vector torque = host.update(arm);  // what a torque callback would hold
+    const Vector torque = host.update(arm, Vector::Zero());  // what a torque callback would hold
     books.update(arm, host, push);
 
     const double h_wall = wall.normal.dot(arm.kinematics().position) - wall.offset;

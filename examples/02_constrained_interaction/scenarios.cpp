@@ -5,13 +5,14 @@
 // error). Printed: how far joint limits were crossed, whether the torque limits held, what became of pushes that no
 // admissible torque can hold, and the energy books. Exit code 0 if every promise was kept.
 #include <cmath>
+#include <cpic_host/energy_books.hpp>
+#include <cpic_host/host.hpp>
 #include <cstdio>
 #include <exception>
 #include <random>
 #include <string>
 #include <synthetic_arm/panda.hpp>
 
-#include "host.hpp"
 #include "io/arguments.hpp"
 
 namespace {
@@ -124,6 +125,7 @@ Scenario draw(const ArmModel<7>& model, std::uint64_t seed, double margin, bool 
   const auto goal = model.kinematics(s.start + 0.5 * (pose() - s.start));
   s.host.target = goal.position;
   s.host.orientation = Eigen::Quaterniond(goal.rotation);
+  s.host.posture = model.ready;
   s.host.margin = margin;
   if (uniform(random) < 0.3) s.host.cycle_radius = 0.05 + 0.1 * uniform(random);
   if (uniform(random) < 0.5) {
@@ -152,17 +154,19 @@ Outcome run(const ArmModel<7>& model, const Scenario& s, double period) {
   double lowest = 0;  // of stored minus supplied energy since the books were opened
   double last_excuse = s.push.start + 2 * s.push.rise + s.push.hold;
   Vector compensation = Vector::Zero();
+  rme::Payload<double> estimate;
   const int attach = static_cast<int>(std::lround(kAttach / period));
   const int ticks = static_cast<int>(std::lround(kEnd / period));
   for (int k = 0; k < ticks; ++k, ++out.ticks) {
     const double t = k * period;
     if (k == attach && s.payload.mass > 0) {
       arm.attach(s.payload, s.faults ? kHandOver : 0);
-      host.set_estimate(s.estimate);
+      estimate = s.estimate;
     }
     const Eigen::Vector3d push = s.push.at(t);
     arm.push({push, Eigen::Vector3d::Zero()});
-    const Vector torque = host.update(arm);
+    const Vector torque = host.update(
+        arm, rme::compensation_torque<double, 7>(estimate, arm.kinematics().jacobian, arm.kinematics().rotation));
     if (host.status() == rme::Status::Infeasible) {
       ++out.infeasible_ticks;
       last_excuse = std::max(last_excuse, t);

@@ -233,4 +233,8 @@ double ArmModel<Dofs>::energy(const Vector& q, const Vector& dq, const RigidBody
   return 0.5 * dq.dot(dynamics(q, dq, payload).mass_matrix * dq) + potential;
 }
 
+// Compiled once, in instantiations.cpp; an arm of another number of joints compiles where it is used.
+extern template struct ArmModel<6>;
+extern template struct ArmModel<7>;
+
 }  // namespace rme::examples

@@ -72,4 +72,6 @@ auto PoseImpedance<Dofs>::torque(const Vector& q, const Vector& dq, const Kinema
   return at.jacobian.transpose() * wrench + posture + nominal.coriolis + nominal.gravity;
 }
 
+extern template class PoseImpedance<7>;
+
 }  // namespace rme::examples

@@ -2,11 +2,12 @@
 /// A simulated torque-controlled arm that reports what a real one reports: joint state and observed external torque.
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <random>
 #include <rme/core/payload.hpp>
 #include <rme/core/require.hpp>
 #include <rme/sensing/momentum_observer.hpp>
-#include <synthetic_arm/arm_model.hpp>
+#include <synthetic_arm/runge_kutta.hpp>
 #include <vector>
 
 namespace rme::examples {
@@ -21,10 +22,10 @@ enum class TorqueSensing {
 template <int Dofs>
 struct SyntheticArmConfig {
   using Vector = JointVector<double, Dofs>;
-  double dt = 1e-3;                 ///< control period, over which the torque is held [s]
-  int substeps = 1;                 ///< integration steps (Runge-Kutta 4) in a control period
-  Vector coulomb = Vector::Zero();  ///< Coulomb friction; also the torque at which a joint breaks away [N m]
-  Vector viscous = Vector::Zero();  ///< viscous friction [N m s/rad]
+  MakePhysics<Dofs> physics = RungeKutta<Dofs>::make;
+  double dt = 1e-3;  ///< control period, over which the torque is held [s]
+  int substeps = 1;  ///< integration steps in a control period
+  JointFriction<Dofs> friction;
   TorqueSensing sensing = TorqueSensing::MotorSide;
   Vector torque_noise = Vector::Zero();   ///< standard deviation of the sensors' white noise [N m]
   Vector torque_offset = Vector::Zero();  ///< what the sensors report too much [N m]; shows in tau_ext with minus sign
@@ -43,17 +44,13 @@ SyntheticArmConfig<Dofs> with_typical_faults(const ArmModel<Dofs>& model, std::u
   std::uniform_real_distribution<double> factor(0.5, 1.5);
   for (int i = 0; i < Dofs; ++i) {
     config.torque_offset[i] = model.typical_offset[i] * normal(random);
-    config.coulomb[i] = model.typical_coulomb[i] * factor(random);
-    config.viscous[i] = model.typical_viscous[i] * factor(random);
+    config.friction.coulomb[i] = model.typical_coulomb[i] * factor(random);
+    config.friction.viscous[i] = model.typical_viscous[i] * factor(random);
   }
   return config;
 }
 
 /// The arm. Everything that it reports belongs to the instant time(); step() goes to the next control period.
-///
-/// Friction is dry: a joint at rest stays at rest until its breakaway torque is exceeded. In each integration step the
-/// friction torques are those that make the velocity at its end obey Coulomb's law (an implicit step), which neither
-/// creeps nor chatters; they are then held while the smooth rest of the motion is integrated.
 template <int Dofs>
 class SyntheticArm {
  public:
@@ -68,8 +65,8 @@ class SyntheticArm {
   void step(const Vector& tau_commanded);
 
   double time() const { return static_cast<double>(ticks_) * config_.dt; }  ///< [s]
-  const Vector& q() const { return q_; }                                    ///< [rad]
-  const Vector& dq() const { return dq_; }                                  ///< [rad/s]
+  const Vector& q() const { return state_.q; }                              ///< [rad]
+  const Vector& dq() const { return state_.dq; }                            ///< [rad/s]
   const Vector& tau_ext() const { return observer_.tau_ext(); }             ///< the momentum observer's output [N m]
   const Vector& tau_measured() const { return tau_measured_; }  ///< torque sensors over the last period [N m]
   const Kinematics<Dofs>& kinematics() const { return kinematics_; }
@@ -101,30 +98,22 @@ class SyntheticArm {
   };
 
   RigidBody payload_at(double t) const;
-  // ddq by the equation of motion under `tau`, payload and push included
-  struct Motion {
-    Eigen::LLT<JointMatrix<double, Dofs>> mass_matrix;
-    Vector ddq;
-  };
-  Motion motion(const Vector& q, const Vector& dq, const Vector& tau, const RigidBody& payload) const;
-  void solve_friction(const Motion& smooth, double h);
   void observe();
 
   ArmModel<Dofs> model_;
   SyntheticArmConfig<Dofs> config_;
   MomentumObserver<double, Dofs> observer_;
+  std::unique_ptr<Physics<Dofs>> physics_;
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
   long ticks_ = 0;
-  Vector q_, dq_;
-  Vector friction_ = Vector::Zero();  // torque on the arm in the last integration step
+  JointState<Dofs> state_;
   Vector tau_measured_ = Vector::Zero();
   std::vector<Attached> attached_;
   int handles_ = 0;
   Wrench<double> push_;
   Kinematics<Dofs> kinematics_;
   Dynamics<Dofs> dynamics_;
-  bool has_friction_;
 };
 
 template <int Dofs>
@@ -133,14 +122,11 @@ SyntheticArm<Dofs>::SyntheticArm(const ArmModel<Dofs>& model, const SyntheticArm
     : model_(model),
       config_(config),
       observer_(config.dt, {config.observer_gain}),
+      physics_(config.physics(model, config.friction)),
       random_(config.seed),
-      q_(q),
-      dq_(dq),
-      has_friction_((config.coulomb.array() > 0).any() || (config.viscous.array() > 0).any()) {
+      state_{q, dq} {
   rme::detail::require(config.substeps > 0, "SyntheticArmConfig::substeps", ">= 1", config.substeps);
   for (int i = 0; i < Dofs; ++i) {
-    rme::detail::require(config.coulomb[i] >= 0, "SyntheticArmConfig::coulomb", ">= 0 N m", config.coulomb[i]);
-    rme::detail::require(config.viscous[i] >= 0, "SyntheticArmConfig::viscous", ">= 0 N m s/rad", config.viscous[i]);
     rme::detail::require(config.torque_noise[i] >= 0, "SyntheticArmConfig::torque_noise", ">= 0 N m",
                          config.torque_noise[i]);
   }
@@ -151,31 +137,16 @@ template <int Dofs>
 void SyntheticArm<Dofs>::step(const Vector& tau_commanded) {
   const Vector tau = tau_commanded.cwiseMax(-model_.tau_max).cwiseMin(model_.tau_max);
   const double h = config_.dt / config_.substeps;
-  Vector mean_friction = Vector::Zero();
-  for (int k = 0; k < config_.substeps; ++k) {
-    const RigidBody body = payload_at(time() + (k + 0.5) * h);
-    Motion first = motion(q_, dq_, tau, body);
-    Vector held = tau;
-    if (has_friction_) {
-      solve_friction(first, h);
-      mean_friction += friction_ / config_.substeps;
-      held += friction_;
-      first.ddq += first.mass_matrix.solve(friction_);
-    }
-    const Vector v1 = dq_, a1 = first.ddq;
-    const Vector v2 = dq_ + h / 2 * a1, a2 = motion(q_ + h / 2 * v1, v2, held, body).ddq;
-    const Vector v3 = dq_ + h / 2 * a2, a3 = motion(q_ + h / 2 * v2, v3, held, body).ddq;
-    const Vector v4 = dq_ + h * a3, a4 = motion(q_ + h * v3, v4, held, body).ddq;
-    q_ += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
-    dq_ += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-  }
+  Vector friction = Vector::Zero();
+  for (int k = 0; k < config_.substeps; ++k)
+    friction += physics_->step(h, {tau, payload_at(time() + (k + 0.5) * h), push_}, state_) / config_.substeps;
   ++ticks_;
   attached_.erase(std::remove_if(attached_.begin(), attached_.end(),
                                  [this](const Attached& a) { return a.to == 0 && a.share(time()) == 0; }),
                   attached_.end());
 
   tau_measured_ = tau + config_.torque_offset;
-  if (config_.sensing == TorqueSensing::LinkSide) tau_measured_ += mean_friction;
+  if (config_.sensing == TorqueSensing::LinkSide) tau_measured_ += friction;
   for (int i = 0; i < Dofs; ++i) tau_measured_[i] += config_.torque_noise[i] * normal_(random_);
   observe();
 }
@@ -200,48 +171,14 @@ RigidBody SyntheticArm<Dofs>::payload_at(double t) const {
 }
 
 template <int Dofs>
-auto SyntheticArm<Dofs>::motion(const Vector& q, const Vector& dq, const Vector& tau, const RigidBody& payload) const
-    -> Motion {
-  const Dynamics<Dofs> d = model_.dynamics(q, dq, payload);
-  Motion out;
-  out.mass_matrix.compute(d.mass_matrix);
-  Vector net = tau - d.coriolis - d.gravity;
-  const Vector6<double> w = push_.vector();
-  if (!w.isZero(0)) net += model_.kinematics(q).jacobian.transpose() * w;
-  out.ddq = out.mass_matrix.solve(net);
-  return out;
-}
-
-// Finds the friction torques f with v = dq + h (ddq + M^-1 f), where each joint either rests, v_i = 0 and
-// |f_i| <= coulomb_i, or slides, f_i = -coulomb_i sign(v_i) - viscous_i v_i. One joint at a time (projected
-// Gauss-Seidel), from the last step's torques; M^-1 is positive definite, so this converges.
-template <int Dofs>
-void SyntheticArm<Dofs>::solve_friction(const Motion& smooth, double h) {
-  const JointMatrix<double, Dofs> hA = h * smooth.mass_matrix.solve(JointMatrix<double, Dofs>::Identity());
-  Vector v = dq_ + h * smooth.ddq + hA * friction_;
-  for (int sweep = 0; sweep < 100; ++sweep) {
-    double change = 0;
-    for (int i = 0; i < Dofs; ++i) {
-      const double free = v[i] - hA(i, i) * friction_[i];  // without this joint's own friction
-      double f = -free / hA(i, i);
-      if (std::abs(f) > config_.coulomb[i]) {
-        const double sliding =
-            (free - std::copysign(hA(i, i) * config_.coulomb[i], free)) / (1 + hA(i, i) * config_.viscous[i]);
-        f = -std::copysign(config_.coulomb[i], free) - config_.viscous[i] * sliding;
-      }
-      v += hA.col(i) * (f - friction_[i]);
-      change = std::max(change, std::abs(f - friction_[i]));
-      friction_[i] = f;
-    }
-    if (change < 1e-10) return;
-  }
-}
-
-template <int Dofs>
 void SyntheticArm<Dofs>::observe() {
-  kinematics_ = model_.kinematics(q_);
-  dynamics_ = model_.dynamics(q_, dq_);
-  (void)observer_.update(tau_measured_, dq_, dynamics_.mass_matrix, dynamics_.coriolis_transpose, dynamics_.gravity);
+  const auto& [q, dq] = state_;
+  kinematics_ = model_.kinematics(q);
+  dynamics_ = model_.dynamics(q, dq);
+  (void)observer_.update(tau_measured_, dq, dynamics_.mass_matrix, dynamics_.coriolis_transpose, dynamics_.gravity);
 }
+
+extern template class SyntheticArm<6>;
+extern template class SyntheticArm<7>;
 
 }  // namespace rme::examples

@@ -88,6 +88,13 @@ class Estimator {
   using Statistics = PayloadStatistics<Scalar, Dofs>;
   using Signal = Eigen::Matrix<double, Dofs, 1>;
 
+  // An arm of which it is not known whether its friction shows is taken for one whose friction does: to a sensor model
+  // without friction the direction says nothing.
+  static Torque largest_friction(const Config& config) noexcept {
+    Torque largest = Torque::Zero();
+    for (const auto& sensor : config.sensors) largest = largest.cwiseMax(sensor.coulomb_mean);
+    return largest;
+  }
   std::size_t ticks_of(double seconds) const noexcept { return static_cast<std::size_t>(std::lround(seconds / dt_)); }
   double time_of(std::uint64_t tick) const noexcept { return static_cast<double>(tick) * dt_; }
   Phase resting_phase() const noexcept { return known_.empty ? Phase::Watching : Phase::Compensating; }
@@ -162,7 +169,7 @@ Estimator<Scalar, Dofs, PriorSource>::Estimator(double dt, const Config& config,
       prior_(prior),
       dt_(dt),
       detector_(dt, config.detector),
-      window_(dt, config.window),
+      window_(dt, config.window, largest_friction(config)),
       inference_(Scalar(dt), config.sensors, config.push, config.inference, config.learn_noise),
       block_(static_cast<int>(std::max<std::size_t>(
           1, ticks_of(std::min(config.collection, 2 * double(config.sensors.front().noise_correlation_time)))))),

@@ -51,6 +51,7 @@
 #include <rme/network/normalization.hpp>
 #include <rme/network/self_attention.hpp>
 #include <rme/network/weights.hpp>
+#include <rme/sensing/friction_direction.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <rme/sensing/onset.hpp>

@@ -37,8 +37,7 @@ const RigidBody kSecond = box(0.6, {-0.04, 0.03, 0.1}, kSize);
 template <int Dofs>
 SyntheticArmConfig<Dofs> link_side(const rme::examples::ArmModel<Dofs>& model, std::uint64_t seed) {
   SyntheticArmConfig<Dofs> config = rme::examples::with_typical_faults(model, seed);
-  config.coulomb.setZero();
-  config.viscous.setZero();
+  config.friction = {};
   return config;
 }
 

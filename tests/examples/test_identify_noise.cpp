@@ -119,8 +119,8 @@ TEST_CASE("identify_noise: the faults of a synthetic arm come back from its logs
       const double white = first.torque_noise[j] * std::sqrt(kPeriod / (2 * found.noise_correlation_time));
       CHECK(found.noise[j] > 0.8 * white);
       CHECK(found.noise[j] < (friction_shows ? 6 : 1.25) * white);
-      CHECK(found.coulomb_mean[j] == Approx(friction_shows ? first.coulomb[j] : 0).margin(0.015));
-      CHECK(found.viscous_mean[j] == Approx(friction_shows ? first.viscous[j] : 0).margin(0.025));
+      CHECK(found.coulomb_mean[j] == Approx(friction_shows ? first.friction.coulomb[j] : 0).margin(0.015));
+      CHECK(found.viscous_mean[j] == Approx(friction_shows ? first.friction.viscous[j] : 0).margin(0.025));
       CHECK(found.coulomb_std[j] < 0.02);
       CHECK(found.viscous_std[j] < 0.03);
       CHECK(found.stiction[j] < 0.02);

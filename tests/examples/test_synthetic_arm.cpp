@@ -150,9 +150,9 @@ TEST_CASE("SyntheticArm: a joint at rest stays below its breakaway torque and sl
   // Gravity is compensated, so what a joint's friction has to hold is the torque on top of it. The joints are coupled:
   // a torque pattern that each joint could hold alone must be held by all of them together.
   SyntheticArmConfig<7> config;
-  config.coulomb = panda().typical_coulomb;
-  config.viscous = panda().typical_viscous;
-  const Vector<7> pattern = (Vector<7>() << 1, -1, 1, 1, -1, 1, -1).finished().cwiseProduct(config.coulomb);
+  config.friction.coulomb = panda().typical_coulomb;
+  config.friction.viscous = panda().typical_viscous;
+  const Vector<7> pattern = (Vector<7>() << 1, -1, 1, 1, -1, 1, -1).finished().cwiseProduct(config.friction.coulomb);
   SyntheticArm<7> arm(panda(), config, panda().ready);
   while (arm.time() < 5) arm.step(arm.dynamics().gravity + 0.95 * pattern);
   CHECK((arm.q() - panda().ready).cwiseAbs().maxCoeff() < 1e-12);
@@ -170,8 +170,8 @@ TEST_CASE("SyntheticArm: a sliding joint settles at the speed where friction equ
   // Joint 1 turns about the vertical: with gravity compensated, c + v dq = tau. By hand: (1 - 0.2) / 2 = 0.4 rad/s.
   // The other joints are locked by friction that nothing here breaks.
   SyntheticArmConfig<7> config;
-  config.coulomb << 0.2, 1e3, 1e3, 1e3, 1e3, 1e3, 1e3;
-  config.viscous[0] = 2;
+  config.friction.coulomb << 0.2, 1e3, 1e3, 1e3, 1e3, 1e3, 1e3;
+  config.friction.viscous[0] = 2;
   SyntheticArm<7> arm(panda(), config, panda().ready);
   while (arm.time() < 8) arm.step(arm.dynamics().gravity + Vector<7>::Unit(0));
   CHECK(arm.dq()[0] == Approx(0.4).epsilon(1e-6));
@@ -182,8 +182,8 @@ TEST_CASE("SyntheticArm: a sliding joint settles at the speed where friction equ
 
 TEST_CASE("SyntheticArm: link-side torque sensors keep friction out of tau_ext", "[synthetic_arm]") {
   SyntheticArmConfig<7> config;
-  config.coulomb = panda().typical_coulomb;
-  config.viscous = panda().typical_viscous;
+  config.friction.coulomb = panda().typical_coulomb;
+  config.friction.viscous = panda().typical_viscous;
   const RigidBody payload = box(1, {0, 0, 0.1}, {0.1, 0.1, 0.1});
   const auto error = [&](TorqueSensing sensing) {
     config.sensing = sensing;
@@ -238,9 +238,9 @@ TEST_CASE("SyntheticArm: the same seed gives the same noise and faults, another 
   const auto faults = [](std::uint64_t seed) { return with_typical_faults(panda(), seed); };
   CHECK(faults(1).torque_offset == faults(1).torque_offset);
   CHECK(faults(1).torque_offset != faults(2).torque_offset);
-  CHECK(faults(1).coulomb != faults(2).coulomb);
+  CHECK(faults(1).friction.coulomb != faults(2).friction.coulomb);
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const Vector<7> share = faults(seed).coulomb.cwiseQuotient(panda().typical_coulomb);
+    const Vector<7> share = faults(seed).friction.coulomb.cwiseQuotient(panda().typical_coulomb);
     CHECK((share.minCoeff() >= 0.5 && share.maxCoeff() <= 1.5));
   }
 }
@@ -258,7 +258,7 @@ TEST_CASE("SyntheticArm: settings out of range are refused by name", "[synthetic
   config.substeps = 0;
   CHECK_THROWS_WITH(SyntheticArm<7>(panda(), config, panda().ready), contains("substeps"));
   config = {};
-  config.coulomb[3] = -0.1;
+  config.friction.coulomb[3] = -0.1;
   CHECK_THROWS_WITH(SyntheticArm<7>(panda(), config, panda().ready), contains("coulomb"));
   config = {};
   config.dt = 0;

@@ -76,8 +76,8 @@ class RandomHost {
     for (int i = 0; i < 7; ++i) {
       const bool proximal = i < 4;
       arm.torque_offset[i] = normal(0, panda().typical_offset[i]);
-      arm.coulomb[i] = proximal ? uniform(0.1, 0.3) : uniform(0.05, 0.1);
-      arm.viscous[i] = proximal ? uniform(0.05, 0.1) : uniform(0.02, 0.04);
+      arm.friction.coulomb[i] = proximal ? uniform(0.1, 0.3) : uniform(0.05, 0.1);
+      arm.friction.viscous[i] = proximal ? uniform(0.05, 0.1) : uniform(0.02, 0.04);
     }
     return arm;
   }

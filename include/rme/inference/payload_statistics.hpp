@@ -29,7 +29,7 @@ template <typename Scalar, int Dofs>
 struct PayloadObservation {
   JointVector<Scalar, Dofs> tau = JointVector<Scalar, Dofs>::Zero();        ///< y, external torque [N m]
   PayloadRegressor<Scalar, Dofs> regressor;                                 ///< a, B, Q
-  JointVector<Scalar, Dofs> direction = JointVector<Scalar, Dofs>::Zero();  ///< last direction of motion, in [-1, 1]
+  JointVector<Scalar, Dofs> direction = JointVector<Scalar, Dofs>::Zero();  ///< of dry friction, in [-1, 1]
   JointVector<Scalar, Dofs> velocity = JointVector<Scalar, Dofs>::Zero();   ///< dq [rad/s]
 
   PayloadObservation& operator+=(const PayloadObservation& other) noexcept {

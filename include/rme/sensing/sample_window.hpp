@@ -8,6 +8,7 @@
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
+#include <rme/sensing/friction_direction.hpp>
 #include <rme/sensing/proprioception.hpp>
 
 namespace rme {
@@ -27,9 +28,8 @@ struct Sample {
   Proprioception<Scalar, Dofs> raw;  ///< as it came in
   /// External torque over the period that ends with this tick [N m], the observer's lag taken out.
   JointVector<Scalar, Dofs> tau = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> direction =
-      JointVector<Scalar, Dofs>::Zero();  ///< last direction of motion: -1, 0 (none yet), 1
-  FlangeMotion<Scalar> motion;            ///< over the same period
+  JointVector<Scalar, Dofs> direction = JointVector<Scalar, Dofs>::Zero();  ///< of dry friction: FrictionDirection
+  FlangeMotion<Scalar> motion;                                              ///< over the same period
 };
 
 /// Keeps the last seconds, and prepares each sample on its way in.
@@ -44,9 +44,11 @@ struct Sample {
 template <typename Scalar, int Dofs>
 class SampleWindow {
  public:
-  /// @param dt  control period [s], > 0
+  /// @param dt       control period [s], > 0
+  /// @param coulomb  friction to expect in tau_ext [N m], of which a resting joint may show less
   /// @throws std::invalid_argument naming the field out of range
-  explicit SampleWindow(double dt, const SampleWindowConfig& config = SampleWindowConfig());
+  explicit SampleWindow(double dt, const SampleWindowConfig& config = SampleWindowConfig(),
+                        const JointVector<Scalar, Dofs>& coulomb = JointVector<Scalar, Dofs>::Zero());
 
   /// Appends one tick. The first after construction or reset() has no predecessor: it is taken as a state at rest.
   /// @return Ok; NonFiniteInput; NotARotation; unless Ok, the window is as it was
@@ -56,20 +58,24 @@ class SampleWindow {
   std::size_t capacity() const noexcept { return samples_.capacity(); }
   /// The sample `age` ticks ago, 0 being the newest. Requires age < size().
   const Sample<Scalar, Dofs>& newest(std::size_t age = 0) const noexcept { return samples_.newest(age); }
-  void reset() noexcept { samples_.clear(); }
+  void reset() noexcept {
+    samples_.clear();
+    friction_.reset();
+  }
 
  private:
   Scalar dt_;
   Scalar blend_;  // K dt
-  Scalar rest_velocity_;
+  FrictionDirection<Scalar, Dofs> friction_;
   RingBuffer<Sample<Scalar, Dofs>> samples_;
 };
 
 template <typename Scalar, int Dofs>
-SampleWindow<Scalar, Dofs>::SampleWindow(double dt, const SampleWindowConfig& config)
+SampleWindow<Scalar, Dofs>::SampleWindow(double dt, const SampleWindowConfig& config,
+                                         const JointVector<Scalar, Dofs>& coulomb)
     : dt_(static_cast<Scalar>(dt)),
       blend_(config.observer_bandwidth > 0 ? static_cast<Scalar>(config.observer_bandwidth * dt) : Scalar(1)),
-      rest_velocity_(static_cast<Scalar>(config.rest_velocity)),
+      friction_(dt, static_cast<Scalar>(config.rest_velocity), coulomb),
       samples_(1) {
   detail::require(dt > 0 && std::isfinite(dt), "SampleWindow::dt", "> 0 s", dt);
   detail::require(config.duration / dt >= 2 && config.duration / dt < 1e6, "SampleWindowConfig::duration",
@@ -96,15 +102,13 @@ Status SampleWindow<Scalar, Dofs>::push(const Proprioception<Scalar, Dofs>& in) 
     const auto last_twist = Twist<Scalar>::from_vector(last.raw.jacobian * last.raw.dq);
     sample.motion.linear_acceleration = (twist.linear - last_twist.linear) / dt_;
     sample.motion.angular_acceleration = (twist.angular - last_twist.angular) / dt_;
-    sample.direction = last.direction;
   }
   if (in.motion) sample.motion = *in.motion;
-  for (int j = 0; j < Dofs; ++j)
-    if (std::abs(in.dq[j]) > rest_velocity_) sample.direction[j] = in.dq[j] > 0 ? Scalar(1) : Scalar(-1);
   // Finite but enormous numbers overflow here rather than in the inference.
   if (!sample.tau.allFinite() || !sample.motion.linear_acceleration.allFinite() ||
       !sample.motion.angular_acceleration.allFinite())
     return Status::NonFiniteInput;
+  sample.direction = friction_.update(sample.tau, in.dq, sample.motion.linear_acceleration);
   samples_.push(sample);
   return Status::Ok;
 }

@@ -1,0 +1,98 @@
+#pragma once
+/// What a host's 1 kHz loop looks like when rme is the controller: dynamical systems, passive law, barriers, CPIC and
+/// compensation. Shared by the example programs.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <rme/control/barriers.hpp>
+#include <rme/control/compensation.hpp>
+#include <rme/control/cpic.hpp>
+#include <rme/control/limit_cycle.hpp>
+#include <rme/control/linear_attractor.hpp>
+#include <rme/control/orientation_attractor.hpp>
+#include <rme/control/passive_controller.hpp>
+#include <rme/control/posture.hpp>
+#include <rme/sensing/momentum_observer.hpp>
+#include <synthetic_arm/synthetic_arm.hpp>
+
+namespace rme::examples {
+
+/// A plane that the flange must not pass: n.x >= offset.
+struct Wall {
+  Eigen::Vector3d normal;  // of unit length
+  double offset;           // [m]
+};
+
+/// A push that comes and goes like a person's: rises, holds, falls.
+struct Push {
+  double start = 0, rise = 0.15, hold = 0;  // [s]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+
+  Eigen::Vector3d at(double t) const {
+    const double s = t - start;
+    return std::clamp(std::min(s, 2 * rise + hold - s) / rise, 0.0, 1.0) * force;
+  }
+};
+
+struct HostConfig {
+  double period = 1e-3;     // [s]
+  bool constrained = true;  // with the rows of CPIC, or the passive law alone, cut to the torque limits
+  // Where the barriers stand inside the mechanical limits [rad]: what an unknown torque may push through them.
+  double margin = 0.005;
+  std::optional<Wall> wall;            // a soft row: the arm's own limits go first
+  Eigen::Vector3d target;              // of the linear attractor, or the centre of the cycle [m]
+  std::optional<double> cycle_radius;  // [m]; turns in the y-z plane
+  Eigen::Quaterniond orientation;      // target
+  JointVector<double, 7> posture;      // where the elbow likes to be [rad]
+
+  /// To hold the pose of `q`.
+  static HostConfig hold(const ArmModel<7>& model, const JointVector<double, 7>& q) {
+    const Kinematics<7> at = model.kinematics(q);
+    HostConfig config;
+    config.target = at.position;
+    config.orientation = Eigen::Quaterniond(at.rotation);
+    config.posture = q;
+    return config;
+  }
+};
+
+/// The controller. Everything that may throw happens in the constructor.
+class Host {
+ public:
+  using Vector = JointVector<double, 7>;
+
+  Host(const ArmModel<7>& model, const HostConfig& config);
+
+  /// One tick.
+  /// @param compensation  what carries the payload [N m]; it is approached no faster than the arm's torque rate allows
+  /// @return the torque to command [N m], gravity included
+  const Vector& update(const SyntheticArm<7>& arm, const Vector& compensation) noexcept;
+
+  /// Of the last update; Infeasible and NotConverged come with a torque, every other failure repeats the last one.
+  Status status() const noexcept { return status_; }
+  const Cpic<double, 7, 8>& cpic() const noexcept { return cpic_; }
+  const PassiveController<double>& passive() const noexcept { return passive_; }
+  const Vector& compensation() const noexcept { return ramp_.torque(); }
+
+ private:
+  Status add_wall(const Kinematics<7>& kinematics, const Twist<double>& twist, const Vector& dq) noexcept;
+
+  HostConfig config_;
+  LinearAttractor<double> attractor_;
+  LimitCycle<double> cycle_;
+  OrientationAttractor<double> orientation_;
+  PassiveController<double> passive_;
+  Posture<double, 7> posture_;
+  JointLimits<double, 7> limits_;
+  Cpic<double, 7, 8> cpic_;
+  CompensationRamp<double, 7> ramp_;
+  MomentumObserver<double, 7> disturbance_;
+  Vector limit_;  // of the torques [N m]
+  ConstraintRows<double, 7, 8> rows_;
+  Eigen::Matrix<double, 3, 7> last_ = Eigen::Matrix<double, 3, 7>::Zero();
+  bool started_ = false;
+  Vector torque_ = Vector::Zero();
+  Status status_ = Status::Ok;
+};
+
+}  // namespace rme::examples

@@ -1,0 +1,92 @@
+#include "setup.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <synthetic_arm/panda.hpp>
+
+#ifdef RME_HAS_MUJOCO
+#include <mujoco_arm/mujoco_physics.hpp>
+#endif
+
+namespace rme::examples {
+
+const std::array<PublishedTrial, 6>& published_trials() {
+  static const std::array<PublishedTrial, 6> trials = {{
+      {0.300, {0.03, 0.00, 0.13}, {0.380, -0.04, 0.02, 0.13}, {0.018, 0.03, 0.01, 0.04}},
+      {0.500, {0.06, 0.00, 0.13}, {0.511, 0.04, 0.01, 0.15}, {0.031, 0.04, 0.01, 0.02}},
+      {0.700, {0.06, 0.00, 0.13}, {0.681, 0.07, 0.00, 0.14}, {0.019, 0.03, 0.01, 0.04}},
+      {0.900, {0.05, -0.03, 0.13}, {0.861, 0.07, -0.02, 0.11}, {0.024, 0.01, 0.01, 0.03}},
+      {1.100, {0.05, 0.02, 0.13}, {1.053, 0.07, 0.00, 0.00}, {0.018, 0.01, 0.01, 0.04}},
+      {1.290, {0.05, 0.01, 0.13}, {1.269, 0.05, 0.00, 0.00}, {0.008, 0.00, 0.01, 0.06}},
+  }};
+  return trials;
+}
+
+RigidBody experiment_payload(double mass, const Eigen::Vector3d& com) {
+  return box(mass, com, {0.06, 0.06, 0.1});
+}
+
+Setup Setup::parse(Arguments& arguments) {
+  Setup setup;
+  const std::string physics = arguments.text("--physics").value_or("synthetic");
+  setup.mujoco = physics == "mujoco";
+  if (!setup.mujoco && physics != "synthetic")
+    throw ArgumentError("--physics: \"" + physics + "\" is none of synthetic, mujoco");
+#ifndef RME_HAS_MUJOCO
+  if (setup.mujoco) throw ArgumentError("--physics: MuJoCo was not found when this was built (Debian: libmujoco-dev)");
+#endif
+  setup.friction = arguments.flag("--friction");
+  setup.quick = arguments.flag("--quick");
+  const double seed = arguments.number("--seed").value_or(1);
+  if (!(seed >= 0 && seed <= 1e9 && seed == std::floor(seed)))
+    throw ArgumentError("--seed: must be a whole number from 0 to 1e9");
+  setup.seed = static_cast<std::uint64_t>(seed);
+  setup.output = arguments.text("--output");
+  if (setup.output) {
+    std::error_code error;
+    std::filesystem::create_directories(*setup.output, error);
+    if (error) throw ArgumentError("--output: cannot make " + *setup.output + ": " + error.message());
+  }
+  return setup;
+}
+
+SyntheticArmConfig<7> Setup::arm(std::uint64_t trial, bool faults) const {
+  SyntheticArmConfig<7> config;
+  if (faults) config = with_typical_faults(panda(), seed * 1000003 + trial);
+  if (!friction) config.friction = {};
+  config.dt = kPeriod;
+#ifdef RME_HAS_MUJOCO
+  if (mujoco) {
+    config.physics = MujocoPhysics<7>::make;
+    config.substeps = 4;
+  }
+#endif
+  return config;
+}
+
+std::string Setup::name() const {
+  return std::string(mujoco ? "MuJoCo" : "synthetic arm") + (friction ? ", joint friction" : ", link-side sensing");
+}
+
+int run_program(const char* name, const char* usage, int argc, char** argv, int (*run)(Arguments&)) {
+  for (int i = 1; i < argc; ++i) {
+    if (const std::string word = argv[i]; word == "--help" || word == "-h") {
+      std::printf("%s", usage);
+      return 0;
+    }
+  }
+  try {
+    Arguments arguments(argc, argv);
+    return run(arguments);
+  } catch (const ArgumentError& error) {
+    std::fprintf(stderr, "%s: %s\n\n%s", name, error.what(), usage);
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", name, error.what());
+    return 1;
+  }
+}
+
+}  // namespace rme::examples

@@ -1,0 +1,124 @@
+// figure9_equilibrium: Figure 9 of the paper. An arm holds its pose under CPIC when a payload appears: where does it
+// end up with the estimator, and where without?
+//
+// Every trial draws its own sensor offsets and noise. With --output the first trial of each payload is written as CSV:
+// the errors over time, and the joint angles for a picture of the arm.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "paper/experiment/report.hpp"
+#include "paper/experiment/trial.hpp"
+
+namespace {
+
+using namespace rme::examples;
+
+constexpr double kAttach = 1;    // [s]
+constexpr double kEnd = 6;       // [s]
+constexpr double kSteady = 0.5;  // the last part, over which the steady error is averaged [s]
+constexpr double kDegree = 180 / 3.14159265358979323846;
+constexpr double kPositionTarget = 4e-3, kOrientationTarget = 0.5;  // with the estimator [m], [degrees]
+
+constexpr const char* kUsage = R"(usage: rme_figure9_equilibrium [options]
+
+Figure 9 of the paper: six payloads on an arm that holds its pose, with the estimator and without.
+
+Exit codes: 0 with the estimator, link-side sensing, every steady error is within 4 mm and 0.5 degrees (with --friction:
+smaller than without it); 1 not; 2 unusable arguments.
+
+  --trials N        of each payload (default 5; 1 with --quick)
+)";
+
+/// Errors of position [m] and orientation [degrees].
+struct Errors {
+  double position = 0, orientation = 0;
+  void keep_worst(const Errors& o) {
+    position = std::max(position, o.position);
+    orientation = std::max(orientation, o.orientation);
+  }
+};
+struct Result {
+  Errors steady, peak;
+};
+
+struct Files {
+  CsvFile errors, with, without;
+};
+
+Result run_trial(const Setup& setup, const PublishedTrial& payload, std::uint64_t number, bool compensate,
+                 Files* files) {
+  const auto& q = panda().ready;
+  Trial trial(setup.arm(number), HostConfig::hold(panda(), q), q, compensate);
+  Result result;
+  double ticks = 0;
+  for (int k = 0; k < static_cast<int>(kEnd / kPeriod); ++k) {
+    const double t = k * kPeriod;
+    if (k == static_cast<int>(kAttach / kPeriod)) trial.arm.attach(experiment_payload(payload.mass, payload.com));
+    trial.tick();
+    const Errors now = {trial.position_error().norm(), kDegree * trial.orientation_error()};
+    result.peak.keep_worst(now);
+    if (t > kEnd - kSteady) {
+      result.steady.position += now.position;
+      result.steady.orientation += now.orientation;
+      ++ticks;
+    }
+    if (files && k % 10 == 0) {
+      const auto& at = trial.arm.q();
+      files->errors.row(payload.mass, compensate, t - kAttach, now.position, now.orientation,
+                        trial.estimator.estimate().payload().mass);
+      (compensate ? files->with : files->without)
+          .row(payload.mass, t - kAttach, at[0], at[1], at[2], at[3], at[4], at[5], at[6]);
+    }
+  }
+  result.steady.position /= ticks;
+  result.steady.orientation /= ticks;
+  return result;
+}
+
+int run(Arguments& arguments) {
+  const Setup setup = Setup::parse(arguments);
+  const double count = arguments.number("--trials").value_or(setup.quick ? 1 : 5);
+  if (!(count >= 1 && count <= 1000 && count == std::floor(count)))
+    throw ArgumentError("--trials: must be a whole number from 1 to 1000");
+  arguments.finish();
+  const auto trials = static_cast<std::size_t>(count);
+
+  const std::string joints = "m,t,q1,q2,q3,q4,q5,q6,q7";
+  Files files{{setup.output, "errors.csv", "m,with,t,position,orientation,mass"},
+              {setup.output, "equilibrium_with.csv", joints},
+              {setup.output, "equilibrium_without.csv", joints}};
+  MarkdownTable table({"payload [kg]", "steady, CPIC alone [mm]", "[deg]", "steady, with the estimator [mm]", "[deg]",
+                       "largest on the way, alone [mm]", "with [mm]"});
+  std::size_t number = 0;
+  bool reached = true;
+  for (const PublishedTrial& payload : published_trials()) {
+    Result with, without;
+    for (std::size_t k = 0; k < trials; ++k) {
+      ++number;
+      for (const bool compensate : {false, true}) {
+        const Result result = run_trial(setup, payload, number, compensate, k == 0 ? &files : nullptr);
+        (compensate ? with : without).steady.keep_worst(result.steady);
+        (compensate ? with : without).peak.keep_worst(result.peak);
+      }
+      progress("figure9_equilibrium", number, trials * published_trials().size());
+    }
+    table.row({text("%.3f", payload.mass), text("%.1f", 1e3 * without.steady.position),
+               text("%.2f", without.steady.orientation), text("%.2f", 1e3 * with.steady.position),
+               text("%.3f", with.steady.orientation), text("%.1f", 1e3 * without.peak.position),
+               text("%.1f", 1e3 * with.peak.position)});
+    const Errors limit = setup.friction ? without.steady : Errors{kPositionTarget, kOrientationTarget};
+    reached = reached && with.steady.position <= limit.position && with.steady.orientation <= limit.orientation;
+  }
+  std::printf("%s, seed %llu: the worst of %zu trials of each payload, %.1f to %.1f s after the attach.\n\n",
+              setup.name().c_str(), static_cast<unsigned long long>(setup.seed), trials, kEnd - kSteady - kAttach,
+              kEnd - kAttach);
+  table.print();
+  return reached ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("rme_figure9_equilibrium", (std::string(kUsage) + Setup::kUsage).c_str(), argc, argv, run);
+}

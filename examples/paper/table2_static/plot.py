@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment"))
+from plotting import COLOURS, column, main, plt, read
+
+# Table 2 of the paper: payload mass and the mean that the published system estimated on the real arm.
+PUBLISHED = {0.3: (0.380, -0.04, 0.02, 0.13), 0.5: (0.511, 0.04, 0.01, 0.15), 0.7: (0.681, 0.07, 0.00, 0.14),
+             0.9: (0.861, 0.07, -0.02, 0.11), 1.1: (1.053, 0.07, 0.00, 0.00), 1.29: (1.269, 0.05, 0.00, 0.00)}
+PARAMETERS = (("m", "mass [g]"), ("x", "x [mm]"), ("y", "y [mm]"), ("z", "z [mm]"))
+
+
+def draw(folder):
+    """Errors of every trial with its own 90 % interval, beside the errors of the published means."""
+    rows = read(folder / "trials.csv")
+    figure, axes = plt.subplots(1, 4, figsize=(10, 2.8), constrained_layout=True)
+    masses = sorted(PUBLISHED)
+    for axis, (key, title), index in zip(axes, PARAMETERS, range(4)):
+        for place, mass in enumerate(masses):
+            mine = [row for row in rows if row["m"] == mass]
+            truth = {"m": mass, "x": mine[0]["rx"], "y": mine[0]["ry"], "z": mine[0]["rz"]}[key]
+            at = [place + 0.5 * (k + 0.5) / len(mine) - 0.25 for k in range(len(mine))]
+            axis.errorbar(at, [1e3 * row[f"{key}_error"] for row in mine],
+                          yerr=[1.645e3 * row[f"{key}_std"] for row in mine], fmt=".", markersize=3, linewidth=0.8,
+                          color=COLOURS[0], label="rme, each trial with its 90 % interval" if place == 0 else None)
+            axis.plot(place, 1e3 * (PUBLISHED[mass][index] - truth), "x", color=COLOURS[1],
+                      label="published mean of ten, real arm" if place == 0 else None)
+        axis.axhline(0, color="grey", linewidth=0.8, zorder=0)
+        axis.set_title("error of " + title)
+        axis.set_xticks(range(6), [f"{mass:g}" for mass in masses])
+        axis.set_xlabel("payload [kg]")
+    axes[1].legend(fontsize=6.5)
+    return figure
+
+
+if __name__ == "__main__":
+    main("Draws what rme_table2_static --output DIR has written.", draw)

@@ -1,0 +1,90 @@
+#pragma once
+/// Which way, and how hard, dry friction holds each joint.
+#include <algorithm>
+#include <cmath>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// The share of Coulomb friction that acts against each joint's motion, d in [-1, 1]: friction torque = -coulomb d.
+///
+/// A moving joint has d = sign(dq). One that has come to rest keeps it at first: friction held it back until it
+/// stopped. From then on friction gives way to whatever else changes. The joint does not move, so that its torques
+/// cancel, and as long as the payload's torque is steady a change of tau_ext is a change of friction:
+///
+///     d = d_stop - (tau_ext - tau_ext at the stop) / coulomb
+///
+/// An arm whose payload has just been compensated shows why this matters: the controller draws it back against friction
+/// that points the other way, and the last direction of motion would be wrong by up to twice the friction. While the
+/// flange accelerates the payload's torque is not steady, and d stays as it is.
+template <typename Scalar, int Dofs>
+class FrictionDirection {
+ public:
+  using Vector = JointVector<Scalar, Dofs>;
+
+  /// @param dt             control period [s], > 0
+  /// @param rest_velocity  joints slower than this count as resting [rad/s]
+  /// @param coulomb        friction to expect in tau_ext [N m]; a joint with 0 keeps its last direction
+  FrictionDirection(double dt, Scalar rest_velocity, const Vector& coulomb) noexcept
+      : rest_velocity_(rest_velocity),
+        coulomb_(coulomb),
+        blend_(static_cast<Scalar>(-std::expm1(-dt / kSmoothing))),
+        settling_(static_cast<int>(std::lround(kSettling / dt))) {
+    reset();
+  }
+
+  /// Advances by one period. Finite arguments only.
+  /// @param tau           external torque, the observer's lag taken out [N m]
+  /// @param acceleration  of the flange, linear [m/s^2]
+  /// @return d; 0 for a joint of which nothing is known yet
+  const Vector& update(const Vector& tau, const Vector& dq, const Vector3<Scalar>& acceleration) noexcept {
+    if (ticks_ == 0) level_ = stop_level_ = tau;
+    acceleration_ += blend_ * (acceleration - acceleration_);
+    const Vector change = blend_ * (tau - level_);
+    level_ += change;
+    ticks_ = std::min(ticks_ + 1, settling_);
+    const bool steady = acceleration_.norm() < static_cast<Scalar>(kSteady) && ticks_ == settling_;
+    for (int j = 0; j < Dofs; ++j) {
+      const bool moves = std::abs(dq[j]) > rest_velocity_;
+      if (moves) {
+        direction_[j] = dq[j] > 0 ? Scalar(1) : Scalar(-1);
+      } else if (moved_[j] != 0) {
+        stop_level_[j] = level_[j];
+        stop_direction_[j] = direction_[j];
+      } else if (!steady) {
+        stop_level_[j] += change[j];
+      } else if (coulomb_[j] > 0) {
+        direction_[j] =
+            std::max(Scalar(-1), std::min(Scalar(1), stop_direction_[j] - (level_[j] - stop_level_[j]) / coulomb_[j]));
+      }
+      moved_[j] = moves ? 1 : 0;
+    }
+    return direction_;
+  }
+
+  void reset() noexcept {
+    ticks_ = 0;
+    direction_.setZero();
+    stop_direction_.setZero();
+    level_.setZero();
+    stop_level_.setZero();
+    moved_.setZero();
+    acceleration_.setZero();
+  }
+
+ private:
+  static constexpr double kSmoothing = 0.01;  // time constant: a single sample's noise is a share of the friction [s]
+  static constexpr double kSettling = 0.1;    // an observer that starts at zero shows the sensor's offset by then [s]
+  static constexpr double kSteady = 0.5;      // below it 1 kg on an arm's length counts as steady [m/s^2]
+
+  Scalar rest_velocity_;
+  Vector coulomb_;
+  Scalar blend_;
+  int settling_, ticks_ = 0;
+  Vector direction_, stop_direction_;
+  Vector level_, stop_level_;  // of tau, smoothed: now, and when the joint stopped [N m]
+  Eigen::Matrix<int, Dofs, 1> moved_;
+  Vector3<Scalar> acceleration_;  // smoothed
+};
+
+}  // namespace rme

@@ -1,0 +1,72 @@
+#include <rme/sensing/friction_direction.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using Friction = rme::FrictionDirection<double, 1>;
+using Vector = rme::JointVector<double, 1>;
+const Eigen::Vector3d kStill = Eigen::Vector3d::Zero();
+
+/// Coulomb friction of 0.2 N m, joints below 1e-3 rad/s rest.
+Friction joint(double coulomb = 0.2) {
+  return {1e-3, 1e-3, Vector(coulomb)};
+}
+
+double run(Friction& friction, double seconds, double tau, double dq, const Eigen::Vector3d& acceleration = kStill) {
+  double d = 0;
+  for (int k = 0; k < seconds * 1e3; ++k) d = friction.update(Vector(tau), Vector(dq), acceleration)[0];
+  return d;
+}
+
+TEST_CASE("FrictionDirection: friction opposes a moving joint in full", "[friction_direction]") {
+  Friction friction = joint();
+  CHECK(run(friction, 0.01, 1, 0.5) == 1);
+  CHECK(run(friction, 0.01, 1, -0.002) == -1);
+}
+
+TEST_CASE("FrictionDirection: a joint that stops under a steady torque keeps its direction", "[friction_direction]") {
+  Friction friction = joint();
+  run(friction, 0.2, 1, -0.5);
+  CHECK(run(friction, 5, 1, 0) == -1);
+}
+
+TEST_CASE("FrictionDirection: at rest friction takes what the torque changes, up to its limit",
+          "[friction_direction]") {
+  Friction friction = joint();
+  run(friction, 0.2, 1, -0.5);
+  run(friction, 0.1, 1, 0);
+  // tau_ext = payload - coulomb d: down by 0.1 N m is d up by half.
+  CHECK(run(friction, 0.2, 0.9, 0) == Approx(-0.5).margin(1e-6));
+  CHECK(run(friction, 0.2, 0.7, 0) == Approx(0.5).margin(1e-6));
+  CHECK(run(friction, 0.2, 0.2, 0) == 1);
+  CHECK(run(friction, 0.2, 0.9, 0) == Approx(-0.5).margin(1e-6));
+  CHECK(run(friction, 0.01, 0.9, 0.1) == 1);  // and it moves again
+}
+
+TEST_CASE("FrictionDirection: while the flange accelerates a change of torque is not the friction's",
+          "[friction_direction]") {
+  Friction friction = joint();
+  run(friction, 0.2, 1, -0.5);
+  run(friction, 0.1, 1, 0);
+  CHECK(run(friction, 0.3, 0.8, 0, {0, 0, 2}) == -1);
+  run(friction, 0.1, 0.8, 0);
+  CHECK(run(friction, 0.2, 0.7, 0) == Approx(-0.5).margin(0.02));  // measured from the level after the acceleration
+}
+
+TEST_CASE("FrictionDirection: a sensor's offset that an observer takes its time to show is no friction",
+          "[friction_direction]") {
+  Friction friction = joint();
+  friction.update(Vector(0.0), Vector(0.0), kStill);
+  CHECK(run(friction, 1, -0.15, 0) == 0);
+}
+
+TEST_CASE("FrictionDirection: without friction to expect, the last direction stays", "[friction_direction]") {
+  Friction friction = joint(0);
+  run(friction, 0.2, 1, -0.5);
+  CHECK(run(friction, 0.2, 0.2, 0) == -1);
+  friction.reset();
+  CHECK(run(friction, 0.2, 0.2, 0) == 0);
+}
+
+}  // namespace
