@@ -46,6 +46,7 @@ struct Loop {
   static_assert(noexcept(rme::check(a<Tick>())));
   static_assert(noexcept(my<Window>().push(a<Tick>())) && noexcept(my<Window>().reset()));
   static_assert(noexcept(a<Window>().newest(1)) && noexcept(a<Window>().size()));
+  static_assert(noexcept(my<rme::FrictionDirection<Scalar, Dofs>>().update(a<Vector>(), a<Vector>(), a<Vector3>())));
   static_assert(noexcept(my<Detector>().update(a<typename Detector::Signal>())) && noexcept(my<Detector>().reset()));
   static_assert(noexcept(a<Detector>().detected()) && noexcept(a<Detector>().rapid_change()));
   static_assert(noexcept(a<Detector>().stabilised()));
