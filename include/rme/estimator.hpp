@@ -154,6 +154,7 @@ class Estimator {
   std::uint64_t first_tick_ = 0;            // of the first one that is used
   WindowStatistics<Scalar, Dofs> event_;    // since the onset, until the change has settled
   WindowStatistics<Scalar, Dofs> settled_;  // since then
+  Unrest<Scalar, Dofs> unrest_;             // of the collection
   std::uint64_t settled_tick_ = 0;          // of its first sample
   std::size_t collected_ = 0;               // samples since the collection began
   std::size_t steady_ = 0;                  // ticks for which early estimates have looked like a payload
@@ -173,7 +174,8 @@ Estimator<Scalar, Dofs, PriorSource>::Estimator(double dt, const Config& config,
       block_(static_cast<int>(std::max<std::size_t>(
           1, ticks_of(std::min(config.collection, 2 * double(config.sensors.front().noise_correlation_time)))))),
       event_(block_),
-      settled_(block_) {}
+      settled_(block_),
+      unrest_(ticks_of(config.collection)) {}
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::reset() noexcept {
@@ -361,6 +363,7 @@ void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noex
   triggered_ = triggered;
   phase_ = Phase::Collecting;
   collected_ = 0;
+  unrest_.clear();
   restarts_ = 0;
   detected_at_ = time();
   settled_tick_ = ticks_ + 1;
@@ -370,6 +373,7 @@ void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noex
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::collect() noexcept {
   settled_.add(observation(0));
+  unrest_.add(window_.newest().tau);
   if (++collected_ >= ticks_of(config_.collection)) {
     if (triggered_) locate_onset();  // the weight may have come after the trigger
     make_estimate();
@@ -427,11 +431,12 @@ void Estimator<Scalar, Dofs, PriorSource>::make_early_estimate() noexcept {
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
-  if (!triggered_ && restarts_ < kMaxRestarts && unrest(window_, collected_) > Scalar(config_.unrest)) {
+  if (!triggered_ && restarts_ < kMaxRestarts && unrest_.value() > Scalar(config_.unrest)) {
     ++restarts_;  // something else happens meanwhile: wait until it is over
     forget_event();
     changing_ = true;
     collected_ = 0;
+    unrest_.clear();
     settled_tick_ = ticks_ + 1;
     return;
   }

@@ -14,6 +14,7 @@
 #include <rme/control/passive_controller.hpp>
 #include <rme/control/passivity_monitor.hpp>
 #include <rme/control/posture.hpp>
+#include <rme/core/cholesky.hpp>
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/require.hpp>
@@ -42,6 +43,7 @@
 #include <rme/inference/window_statistics.hpp>
 #include <rme/network/architecture.hpp>
 #include <rme/network/conv1d.hpp>
+#include <rme/network/exponential.hpp>
 #include <rme/network/linear.hpp>
 #include <rme/network/mismatch_network.hpp>
 #include <rme/network/mlp.hpp>

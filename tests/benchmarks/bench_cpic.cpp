@@ -1,45 +1,23 @@
 // How long CPIC takes, by percentiles: the whole update from (J, M, bias, F_c) to the torque, and the quadratic program
 // alone, warm, along random walks of a Panda's state.
 //
-// Each call is timed by itself, the clock's own cost subtracted. Other programs on the machine show in p99 and max.
-#include <algorithm>
-#include <chrono>
+// Each call is timed by itself.
 #include <cmath>
 #include <cstdio>
 #include <random>
 #include <rme/control/cpic.hpp>
+#include <string>
 #include <synthetic_arm/panda.hpp>
 #include <vector>
 
+#include "benchmarks/stopwatch.hpp"
+
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using rme::benchmarks::print_head;
+using rme::benchmarks::print_row;
 using Vector = rme::JointVector<double, 7>;
 using Matrix = rme::JointMatrix<double, 7>;
-
-double microseconds(Clock::duration d) {
-  return std::chrono::duration<double, std::micro>(d).count();
-}
-
-double clock_cost() {
-  std::vector<double> samples(100000);
-  for (double& s : samples) {
-    const auto start = Clock::now();
-    s = microseconds(Clock::now() - start);
-  }
-  std::nth_element(samples.begin(), samples.begin() + 50000, samples.end());
-  return samples[50000];
-}
-
-void print(const char* what, std::vector<double> samples) {
-  if (samples.empty()) return;
-  std::sort(samples.begin(), samples.end());
-  const auto at = [&](double share) {
-    return samples[static_cast<std::size_t>(share * static_cast<double>(samples.size() - 1))];
-  };
-  std::printf("  %-34s %8zu calls   median %6.3f   p99 %6.3f   p99.9 %6.3f us\n", what, samples.size(), at(0.5),
-              at(0.99), at(0.999));
-}
 
 Vector random_vector(std::mt19937& random) {
   std::normal_distribution<double> normal;
@@ -87,7 +65,12 @@ std::vector<State> walk(std::mt19937& random, double tightness) {
   return states;
 }
 
-void time_update(double overhead) {
+void print_by_active(const std::string& what, const std::vector<double> (&times)[4]) {
+  const char* const names[] = {"no active row", "1 active row", "2 or 3 active rows", "4 or more active rows"};
+  for (int i = 0; i < 4; ++i) print_row(what + ", " + names[i], times[i]);
+}
+
+void time_update(int paths) {
   const unsigned seed = 4401;
   std::mt19937 random(seed);
   std::vector<double> all;
@@ -95,33 +78,32 @@ void time_update(double overhead) {
   rme::CpicConfig<double, 7> config;
   config.torque_limit = rme::examples::panda().tau_max;
   std::uniform_real_distribution<double> uniform;
-  for (int path = 0; path < 500; ++path) {
+  for (int path = 0; path < paths; ++path) {
     rme::Cpic<double, 7> cpic(config);
+    rme::benchmarks::rest();
     const auto states = walk(random, std::pow(10.0, 4 * uniform(random) - 2));
     const Vector room = (20 * Vector::Ones()).cwiseProduct(random_vector(random).cwiseAbs());
     for (const State& s : states) {
       const Vector ddq = s.input.mass_matrix.llt().solve(s.feasible - s.input.bias);
-      const auto start = Clock::now();
-      rme::ConstraintRows<double, 7, 28> rows;
-      for (int j = 0; j < 7; ++j) (void)rows.add_axis(j, ddq[j] - room[j], ddq[j] + room[6 - j]);
-      const rme::Status status = cpic.update(s.input, rows);
-      const double time = microseconds(Clock::now() - start) - overhead;
+      rme::Status status;
+      const double time = rme::benchmarks::time_of([&] {
+        rme::ConstraintRows<double, 7, 28> rows;
+        for (int j = 0; j < 7; ++j) (void)rows.add_axis(j, ddq[j] - room[j], ddq[j] + room[6 - j]);
+        status = cpic.update(s.input, rows);
+      });
       if (status != rme::Status::Ok) std::printf("unexpected status: %s\n", rme::to_string(status));
       all.push_back(time);
       const int n = cpic.active_count();
       by_active[n < 2 ? n : n < 4 ? 2 : 3].push_back(time);
     }
   }
-  std::printf("Cpic::update, 14 joint limits, torque limits, rows included (seed %u)\n", seed);
-  print("all", all);
-  print("no active row", by_active[0]);
-  print("1 active row", by_active[1]);
-  print("2 or 3 active rows", by_active[2]);
-  print("4 or more active rows", by_active[3]);
+  print_head("Cpic::update with 14 joint limits and torque limits, rows included");
+  print_row("Cpic::update, all", all);
+  print_by_active("Cpic::update", by_active);
 }
 
 template <int Count>
-void time_solver(double overhead) {
+void time_solver(int paths) {
   const unsigned seed = 4402;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform;
@@ -132,7 +114,8 @@ void time_solver(double overhead) {
     rme::ConstraintRows<double, 7, Count> rows;
   };
   const Vector limit = rme::examples::panda().tau_max;
-  for (int path = 0; path < 500; ++path) {
+  for (int path = 0; path < paths; ++path) {
+    rme::benchmarks::rest();
     const auto states = walk(random, std::pow(10.0, 4 * uniform(random) - 2));
     std::vector<Vector> gradients;
     std::vector<double> room;
@@ -157,27 +140,55 @@ void time_solver(double overhead) {
     rme::ActiveSetSolver<double, 7, Count> solver;
     for (const Problem& p : problems) {
       const Problem local = p;  // in L1, as in a control loop that has just built it
-      const auto start = Clock::now();
-      const rme::Status status = solver.solve(local.P, local.x_u, local.rows, -limit, limit);
-      const double time = microseconds(Clock::now() - start) - overhead;
+      rme::Status status;
+      const double time =
+          rme::benchmarks::time_of([&] { status = solver.solve(local.P, local.x_u, local.rows, -limit, limit); });
       if (status != rme::Status::Ok) std::printf("unexpected status: %s\n", rme::to_string(status));
       const int n = solver.active_count();
       by_active[n < 2 ? n : n < 4 ? 2 : 3].push_back(time);
     }
   }
-  std::printf("ActiveSetSolver::solve, %d rows beside the torque limits, warm, random walk (seed %u)\n", Count, seed);
-  print("no active row", by_active[0]);
-  print("1 active row", by_active[1]);
-  print("2 or 3 active rows", by_active[2]);
-  print("4 or more active rows", by_active[3]);
+  const std::string what = "ActiveSetSolver::solve, " + std::to_string(Count) + " rows";
+  print_head((what + " beside the torque limits, warm").c_str());
+  print_by_active(what, by_active);
+}
+
+/// The same states with more and more rows that the torque keeps: barriers that are far away.
+void time_rows(int paths) {
+  const unsigned seed = 4403;
+  std::mt19937 random(seed);
+  rme::CpicConfig<double, 7> config;
+  config.torque_limit = rme::examples::panda().tau_max;
+  const int counts[] = {0, 1, 2, 4, 7, 14, 21, 28};
+  std::vector<double> times[std::size(counts)];
+  for (int path = 0; path < paths; ++path) {
+    rme::benchmarks::rest();
+    const auto states = walk(random, 0.01);
+    Vector gradients[28];
+    for (Vector& gradient : gradients) gradient = random_vector(random).normalized();
+    for (std::size_t c = 0; c < std::size(counts); ++c) {
+      rme::Cpic<double, 7> cpic(config);
+      for (const State& s : states) {
+        const double far = -100 - s.input.mass_matrix.llt().solve(s.feasible - s.input.bias).norm();
+        times[c].push_back(rme::benchmarks::time_of([&] {
+          rme::ConstraintRows<double, 7, 28> rows;
+          for (int i = 0; i < counts[c]; ++i) (void)rows.add(gradients[i], far);
+          (void)cpic.update(s.input, rows);
+        }));
+      }
+    }
+  }
+  print_head("Cpic::update by number of general rows, none active");
+  for (std::size_t c = 0; c < std::size(counts); ++c) print_row(std::to_string(counts[c]) + " rows", times[c]);
 }
 
 }  // namespace
 
-int main() {
-  const double overhead = clock_cost();
-  std::printf("clock: %.3f us, subtracted\n", overhead);
-  time_update(overhead);
-  time_solver<14>(overhead);
-  time_solver<28>(overhead);
+int main(int argc, char** argv) {
+  const int paths = rme::benchmarks::quick(argc, argv) ? 2 : 500;
+  time_update(paths);
+  time_solver<14>(paths);
+  time_solver<28>(paths);
+  time_rows(paths / 2);
+  std::printf("\nseeds 4401, 4402, 4403\n");
 }

@@ -1,96 +1,27 @@
-// How long do the estimator's parts take? One thread, seven joints, double, random events. Prints a Markdown table with
-// the median and the 99th percentile: a control loop cares about the slow calls as well, which an average hides.
-#include <algorithm>
-#include <chrono>
+// How long do the estimator's parts take? One thread, seven joints, double, random events.
 #include <cstddef>
 #include <cstdio>
 #include <random>
-#include <rme/estimator.hpp>
+#include <rme/inference/event_inference.hpp>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/mean_field.hpp>
 #include <rme/inference/published_likelihood.hpp>
 #include <rme/inference/stochastic_vi.hpp>
-#include <string>
+#include <rme/inference/window_statistics.hpp>
+#include <rme/sensing/mismatch_detector.hpp>
+#include <rme/sensing/onset.hpp>
+#include <rme/sensing/pseudo_wrench.hpp>
+#include <rme/sensing/sample_window.hpp>
 #include <vector>
 
+#include "benchmarks/stopwatch.hpp"
 #include "support/random_events.hpp"
-
-namespace {
 
 using namespace rme;
 using testing::kDofs;
-using Clock = std::chrono::steady_clock;
 
-double microseconds(Clock::duration d) {
-  return std::chrono::duration<double, std::micro>(d).count();
-}
-
-void print(const char* what, std::vector<double> times) {
-  const auto percentile = [&times](double share) {
-    const auto at = times.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(times.size() - 1));
-    std::nth_element(times.begin(), at, times.end());
-    return *at;
-  };
-  const double median = percentile(0.5), slow = percentile(0.99);
-  std::printf("| %-48s | %9.3f | %9.3f | %7zu |\n", what, median, slow, times.size());
-}
-
-double sink = 0;  // keeps results alive
-
-/// Times work(i), `batch` calls at a time where one alone would drown in the clock's own time.
-template <typename Work>
-void measure(const char* what, std::size_t runs, std::size_t batch, const Work& work) {
-  std::vector<double> times;
-  for (std::size_t run = 0; run < runs + runs / 10; ++run) {
-    const auto start = Clock::now();
-    for (std::size_t i = 0; i < batch; ++i) sink += work(run * batch + i);
-    const double elapsed = microseconds(Clock::now() - start) / static_cast<double>(batch);
-    if (run >= runs / 10) times.push_back(elapsed);  // the first ones warm up
-  }
-  print(what, times);
-}
-
-/// Whole life cycles: a payload comes after a second at rest, is estimated and goes again.
-void measure_estimator(std::size_t events) {
-  std::mt19937_64 random(1);
-  std::normal_distribution<double> normal;
-  std::vector<double> watching, collecting, estimating;
-  for (std::size_t k = 0; k < events; ++k) {
-    const testing::Pose pose = testing::random_pose(random);
-    const auto regressor = payload_regressor<double, kDofs>(pose.jacobian, pose.rotation, standard_gravity<double>());
-    Estimator<double, kDofs> estimator(1e-3);
-    Proprioception<double, kDofs> sample;
-    sample.jacobian = pose.jacobian;
-    sample.rotation = pose.rotation;
-    const JointVector<double, kDofs> weight = regressor.torque({1.1, {0.05, 0.02, 0.13}});
-    JointVector<double, kDofs> lagged = JointVector<double, kDofs>::Zero();  // as a momentum observer would report it
-    for (int tick = 0; tick < 2000; ++tick) {
-      for (int j = 0; j < kDofs; ++j) {
-        const double tau = (tick < 1000 ? 0 : weight[j]) + 0.05 * normal(random);
-        lagged[j] += 0.0488 * (tau - lagged[j]);
-      }
-      sample.tau_ext = lagged;
-      const Phase before = estimator.phase();
-      const auto start = Clock::now();
-      const Status status = estimator.update(sample);
-      const double elapsed = microseconds(Clock::now() - start);
-      if (status != Status::Ok) continue;
-      if (estimator.estimated())
-        estimating.push_back(elapsed);
-      else if (before == Phase::Collecting)
-        collecting.push_back(elapsed);
-      else if (estimator.phase() != Phase::Collecting)
-        watching.push_back(elapsed);
-    }
-  }
-  print("Estimator::update, watching", watching);
-  if (!collecting.empty()) print("Estimator::update, collecting", collecting);
-  if (!estimating.empty()) print("Estimator::update, the tick that estimates", estimating);
-}
-
-}  // namespace
-
-int main() {
+int main(int argc, char** argv) {
+  const std::size_t runs = benchmarks::quick(argc, argv) ? 10 : 20000;
   std::mt19937_64 random(1);
   std::vector<testing::Event> events;
   for (int k = 0; k < 200; ++k) events.push_back(testing::random_event(random, 200, k % 2 == 1));
@@ -108,70 +39,103 @@ int main() {
   motion.angular_acceleration << 0.5, -0.5, 0.1;
   const testing::Pose pose = testing::random_pose(random);
 
-  std::printf("compiler flags: %s\n\n", RME_BENCHMARK_FLAGS);
-  std::printf("| %-48s | %9s | %9s | %7s |\n", "7 joints, double, one thread", "median us", "99 % us", "runs");
-  std::printf("|%s|%s:|%s:|%s:|\n", std::string(50, '-').c_str(), std::string(10, '-').c_str(),
-              std::string(10, '-').c_str(), std::string(8, '-').c_str());
+  std::vector<Proprioception<double, kDofs>> ticks(1000);
+  std::normal_distribution<double> normal;
+  for (auto& tick : ticks) {
+    tick.jacobian = pose.jacobian;
+    tick.rotation = pose.rotation;
+    tick.tau_ext = tick.tau_ext.NullaryExpr([&] { return normal(random); });
+    tick.dq = 0.1 * tick.dq.NullaryExpr([&] { return normal(random); });
+  }
+  const auto tick = [&ticks](std::size_t i) -> const auto& {
+    return ticks[i % ticks.size()];
+  };
+
+  benchmarks::print_head("Sensing, 7 joints, double");
+  SampleWindow<double, kDofs> past(1e-3);
+  benchmarks::measure("SampleWindow::push, per tick", runs, 20, [&](std::size_t i) {
+    (void)past.push(tick(i));
+    benchmarks::keep(past);
+  });
+  MismatchDetector<kDofs> detector(1e-3);
+  benchmarks::measure("MismatchDetector::update, per tick", runs, 20, [&](std::size_t i) {
+    (void)detector.update(tick(i).tau_ext);
+    benchmarks::keep(detector);
+  });
+  benchmarks::measure("pseudo_wrench", runs, 20, [&](std::size_t i) {
+    Wrench<double> wrench;
+    (void)pseudo_wrench(tick(i).jacobian, tick(i).tau_ext, 0.01, wrench);
+    benchmarks::keep(wrench);
+  });
+  benchmarks::measure("find_onset, among 600 samples", runs / 10, 1,
+                      [&](std::size_t) { benchmarks::keep(find_onset(past, 600, 10)); });
+
+  benchmarks::print_head("Inference, 7 joints, double");
   PayloadStatistics<double, kDofs> sums;
-  measure("PayloadStatistics::add, per tick", 20000, 20, [&](std::size_t i) {
+  benchmarks::measure("PayloadStatistics::add, per tick", runs, 20, [&](std::size_t i) {
     sums.add(events[0].samples[i % events[0].samples.size()]);
-    return static_cast<double>(sums.count());
+    benchmarks::keep(sums);
   });
   WindowStatistics<double, kDofs> window(40);
-  measure("WindowStatistics::add, per tick", 20000, 40, [&](std::size_t i) {
+  benchmarks::measure("WindowStatistics::add, per tick", runs, 40, [&](std::size_t i) {
     window.add(events[0].samples[i % events[0].samples.size()]);
-    return static_cast<double>(window.count());
+    benchmarks::keep(window);
   });
-  measure("WindowStatistics::about", 20000, 1, [&](std::size_t i) {
-    return static_cast<double>(window.about(Vector3<double>(0, 0, 1e-5 * static_cast<double>(i))).count());
+  benchmarks::measure("WindowStatistics::about", runs, 1, [&](std::size_t i) {
+    benchmarks::keep(window.about(Vector3<double>(0, 0, 1e-5 * static_cast<double>(i))));
   });
-  measure("payload_regressor with motion, per tick", 20000, 20, [&](std::size_t i) {
+  benchmarks::measure("payload_regressor with motion, per tick", runs, 20, [&](std::size_t i) {
     motion.angular_velocity[0] = 1e-3 * static_cast<double>(i % 100);
     const auto regressor =
         payload_regressor<double, kDofs>(pose.jacobian, pose.rotation, standard_gravity<double>(), motion, 0.03);
-    return regressor.a[0] + regressor.B(3, 2);
+    benchmarks::keep(regressor);
   });
-  measure("PayloadStatistics::likelihood", 20000, 1, [&](std::size_t i) {
+  benchmarks::measure("PayloadStatistics::likelihood", runs, 1, [&](std::size_t i) {
     PayloadLikelihood<double> likelihood;
     const auto& e = event(i);
     (void)e.statistics.likelihood(e.precision, e.nuisance, likelihood);
-    return likelihood.aa;
+    benchmarks::keep(likelihood);
   });
-  measure("infer: full covariance, from the likelihood", 20000, 1, [&](std::size_t i) {
+  benchmarks::measure("infer: full covariance, from the likelihood", runs, 1, [&](std::size_t i) {
     InferenceResult<double> result;
     (void)infer(likelihoods[i % likelihoods.size()], prior, result);
-    return result.posterior.mean[0];
+    benchmarks::keep(result);
   });
-  measure("likelihood and infer: from the sums", 20000, 1, [&](std::size_t i) {
+  benchmarks::measure("likelihood and infer: from the sums", runs, 1, [&](std::size_t i) {
     PayloadLikelihood<double> likelihood;
     InferenceResult<double> result;
     const auto& e = event(i);
     (void)e.statistics.likelihood(e.precision, e.nuisance, likelihood);
     (void)infer(likelihood, prior, result);
-    return result.posterior.mean[0];
+    benchmarks::keep(result);
   });
-  measure("infer: mean field, from the likelihood", 20000, 1, [&](std::size_t i) {
+  const EventInference<double, kDofs> inference(
+      1e-3, {SensorModel<double, kDofs>::link_side(), SensorModel<double, kDofs>::joint_friction()}, {}, {});
+  benchmarks::measure("EventInference::posterior, two sensor models", runs, 1,
+                      [&](std::size_t i) { benchmarks::keep(inference.posterior(event(i).statistics, prior)); });
+  benchmarks::measure("EventInference::judge, two sensor models", runs, 1, [&](std::size_t i) {
+    benchmarks::keep(inference.judge(event(i).statistics, prior, {}, pose.jacobian));
+  });
+  benchmarks::measure("infer: mean field, from the likelihood", runs, 1, [&](std::size_t i) {
     InferenceResult<double> result;
     (void)infer(likelihoods[i % likelihoods.size()], prior, result, MeanFieldConfig());
-    return result.posterior.mean[0];
+    benchmarks::keep(result);
   });
-  measure("infer: exact with evidence, from the likelihood", 20000, 1, [&](std::size_t i) {
+  benchmarks::measure("infer: exact with evidence, from the likelihood", runs, 1, [&](std::size_t i) {
     InferenceResult<double> result;
     (void)infer(likelihoods[i % likelihoods.size()], prior, result, ExactQuadrature());
-    return result.posterior.mean[0];
+    benchmarks::keep(result);
   });
-  measure("infer: stochastic VI, published settings", 1000, 1, [&](std::size_t i) {
+  benchmarks::measure("infer: stochastic VI, published settings", runs / 10, 1, [&](std::size_t i) {
     InferenceResult<double> result;
     (void)infer(likelihoods[i % likelihoods.size()], prior, result, StochasticViConfig(), random);
-    return result.posterior.mean[0];
+    benchmarks::keep(result);
   });
-  measure("published_likelihood, from 200 samples", 5000, 1, [&](std::size_t i) {
+  benchmarks::measure("published_likelihood, from 200 samples", runs, 1, [&](std::size_t i) {
     PayloadLikelihood<double> likelihood;
     const auto& samples = event(i).samples;
     const auto at = [&samples](int k) { return samples[static_cast<std::size_t>(k)]; };
     (void)published_likelihood<double, kDofs>(static_cast<int>(samples.size()), at, likelihood);
-    return likelihood.aa;
+    benchmarks::keep(likelihood);
   });
-  measure_estimator(100);
-  return sink == sink ? 0 : 1;
 }

@@ -1,26 +1,35 @@
-// How long does one forward pass take? One thread, random weights and windows: neither changes the work.
-#include <memory>
+// How long does one forward pass take? One thread, the shipped weights, windows within what they were trained on; the
+// work depends on neither.
 #include <rme/network/mismatch_network.hpp>
+#include <vector>
 
+#include "benchmarks/shipped_network.hpp"
+#include "benchmarks/stopwatch.hpp"
 #include "network/golden.hpp"
-#include "support/catch.hpp"
 
 namespace {
 
-TEMPLATE_TEST_CASE("MismatchNetwork: forward", "[benchmark]", float, double) {
-  using Network = rme::MismatchNetwork<TestType>;
-  const auto network = std::make_unique<Network>(*golden::random_weights<TestType>());
+template <typename Scalar>
+void time_forward(const char* what, std::size_t runs) {
+  using Network = rme::MismatchNetwork<Scalar>;
+  const auto network = rme::benchmarks::shipped_network<Scalar>();
+  const std::vector<double> mean(panda_weights.normalization_mean.begin(), panda_weights.normalization_mean.end());
+  const std::vector<double> deviation(panda_weights.normalization_std.begin(), panda_weights.normalization_std.end());
   std::vector<typename Network::Window> windows;
-  for (const auto& window : golden::random_windows(std::vector<double>(6, 0), std::vector<double>(6, 4), 100)) {
-    windows.push_back(window.template cast<TestType>());
-  }
+  for (const auto& window : golden::random_windows(mean, deviation, 100))
+    windows.push_back(window.template cast<Scalar>());
   typename Network::Output out = Network::Output::Zero();
-  BENCHMARK_ADVANCED(sizeof(TestType) == sizeof(float) ? "float" : "double")(Catch::Benchmark::Chronometer meter) {
-    meter.measure([&](int i) {
-      (void)network->forward(windows[static_cast<std::size_t>(i) % windows.size()], out);
-      return out[0];
-    });
-  };
+  rme::benchmarks::measure(what, runs, 1, [&](std::size_t i) {
+    (void)network->forward(windows[i % windows.size()], out);
+    rme::benchmarks::keep(out);
+  });
 }
 
 }  // namespace
+
+int main(int argc, char** argv) {
+  const std::size_t runs = rme::benchmarks::quick(argc, argv) ? 10 : 50000;
+  rme::benchmarks::print_head("Network, one forward pass, " RME_BENCHMARK_FLAGS);
+  time_forward<float>("MismatchNetwork<float>::forward, " RME_BENCHMARK_FLAGS, runs);
+  time_forward<double>("MismatchNetwork<double>::forward, " RME_BENCHMARK_FLAGS, runs);
+}

@@ -1,5 +1,6 @@
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <limits>
 #include <rme/inference/event_evidence.hpp>
 
 #include "support/catch.hpp"
@@ -11,6 +12,7 @@ using rme::Status;
 using rme::testing::Event;
 using rme::testing::kDofs;
 using Jacobian = rme::Jacobian<double, kDofs>;
+using Joints = rme::PayloadStatistics<double, kDofs>::Marginals;
 
 /// The log density of all torques of all joints at once, y ~ N(payload torque + N mu, C) with the full covariance C of
 /// joints x samples: white noise, each joint's nuisances, and a constant wrench of covariance S through J. Without the
@@ -58,8 +60,9 @@ TEST_CASE("push_log_evidence: equals the density under the full covariance of al
     for (const rme::Payload<double>& payload :
          {rme::Payload<double>(), rme::Payload<double>::from_vector(event.truth)}) {
       double push = 0;
-      REQUIRE(rme::push_log_evidence(event.statistics, event.precision, event.nuisance, payload, J, prior, push) ==
-              Status::Ok);
+      Joints joints;
+      REQUIRE(event.statistics.marginals(event.precision, event.nuisance, joints) == Status::Ok);
+      REQUIRE(rme::push_log_evidence<double, kDofs>(joints, payload, J, prior, push) == Status::Ok);
       rme::PayloadLikelihood<double> likelihood;
       REQUIRE(event.statistics.likelihood(event.precision, event.nuisance, likelihood) == Status::Ok);
       const double still = rme::payload_log_evidence(likelihood, payload);
@@ -73,21 +76,20 @@ TEST_CASE("push_log_evidence: equals the density under the full covariance of al
   }
 }
 
-TEST_CASE("push_log_evidence: a nuisance covariance that is not positive definite is refused", "[evidence]") {
+TEST_CASE("push_log_evidence: numbers that overflow are refused", "[evidence]") {
   std::mt19937_64 random(101);
-  Event event = rme::testing::random_event(random);
-  event.nuisance.covariance[5](2, 2) = 0;
+  const Event event = rme::testing::random_event(random);
+  Joints joints;
+  REQUIRE(event.statistics.marginals(event.precision, event.nuisance, joints) == Status::Ok);
+  joints[3].products(5, 5) = std::numeric_limits<double>::quiet_NaN();
   double evidence = 7;
-  CHECK(rme::push_log_evidence<double, kDofs>(event.statistics, event.precision, event.nuisance, {}, Jacobian::Random(),
-                                              {}, evidence) == Status::NotPositiveDefinite);
+  CHECK(rme::push_log_evidence<double, kDofs>(joints, {}, Jacobian::Random(), {}, evidence) ==
+        Status::NotPositiveDefinite);
   CHECK(evidence == 7);
 }
 
-static_assert(noexcept(rme::push_log_evidence(std::declval<const rme::PayloadStatistics<double, kDofs>&>(),
-                                              std::declval<const rme::JointVector<double, kDofs>&>(),
-                                              std::declval<const rme::NuisanceGaussian<double, kDofs>&>(),
-                                              std::declval<const rme::Payload<double>&>(),
-                                              std::declval<const Jacobian&>(), std::declval<const rme::PushPrior&>(),
-                                              std::declval<double&>())));
+static_assert(noexcept(rme::push_log_evidence<double, kDofs>(
+    std::declval<const Joints&>(), std::declval<const rme::Payload<double>&>(), std::declval<const Jacobian&>(),
+    std::declval<const rme::PushPrior&>(), std::declval<double&>())));
 
 }  // namespace

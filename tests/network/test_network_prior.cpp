@@ -65,6 +65,23 @@ TEST_CASE("NetworkPrior: asks the network about 20 pseudo-wrenches, each the new
   }
 }
 
+TEST_CASE("NetworkPrior: a network in float serves an estimator in double", "[network_prior]") {
+  const unsigned seed = 6;
+  CAPTURE(seed);
+  const Recording recording(seed, 250);
+  const auto network = std::make_unique<Network>(*golden::random_weights<double>());
+  const auto in_float = std::make_unique<rme::MismatchNetwork<float>>(*golden::random_weights<float>());
+  rme::NetworkPriorConfig<double> config;
+  config.farthest = 100;
+  const auto expected = Prior(*network, 0.001, config)(recording.window, 200);
+  const rme::NetworkPrior<double, rme::PublishedArchitecture, float> prior(*in_float, 0.001, config);
+  const auto said = prior(recording.window, 200);
+  // The network's own tolerance against PyTorch in float.
+  CHECK((said.mean - expected.mean).cwiseAbs().maxCoeff() < 1e-5);
+  CHECK((said.covariance - expected.covariance).norm() < 1e-12);
+  CHECK(said.mean != config.unknown.gaussian.mean);
+}
+
 TEST_CASE("NetworkPrior: across gravity the network speaks, along it the fixed prior", "[network_prior]") {
   const unsigned seed = 8;
   CAPTURE(seed);

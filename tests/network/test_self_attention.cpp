@@ -19,8 +19,23 @@ TEMPLATE_TEST_CASE("SelfAttention: weights are a softmax over the keys, also whe
   const auto e = std::exp(TestType(1));
   CHECK(weights(0, 0) == Approx(1 / (1 + e)));
   CHECK(weights(0, 1) == Approx(e / (1 + e)));
-  CHECK(weights(1, 0) == Approx(0).margin(1e-30));  // Eigen's vectorised exp ends at the smallest normal number
+  CHECK(weights(1, 0) == Approx(0).margin(1e-30));  // no key gets less than exp(-80)
   CHECK(weights(1, 1) == 1);
+}
+
+TEMPLATE_TEST_CASE("SelfAttention: mean weights are the mean over the queries", "[attention]", float, double) {
+  const unsigned seed = 4;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<TestType> normal;
+  Eigen::Matrix<TestType, kSamples, kSize> queries, keys;
+  queries = queries.NullaryExpr([&] { return 3 * normal(random); });
+  keys = keys.NullaryExpr([&] { return 3 * normal(random); });
+  Eigen::Matrix<TestType, kSamples, kSamples> weights;
+  rme::attention_weights(queries, keys, weights);
+  const auto mean = rme::mean_attention_weights<TestType, kSamples>(queries, keys);
+  CHECK((weights.colwise().mean().transpose() - mean).norm() < 4 * Eigen::NumTraits<TestType>::epsilon());
+  CHECK(mean.sum() == Approx(1));
 }
 
 TEST_CASE("SelfAttention: agrees with the textbook formula, written out in loops", "[attention]") {

@@ -1,7 +1,6 @@
 #pragma once
 /// Payload or push? What happened, judged by how well each explanation predicts the window.
-#include <Eigen/Cholesky>
-#include <cmath>
+#include <rme/core/cholesky.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
@@ -27,13 +26,13 @@ Scalar payload_log_evidence(const PayloadLikelihood<Scalar>& likelihood, const P
 ///
 ///     log p = -1/2 (sum_j <e, e>_j - b^T P^-1 b) - 1/2 log det(P S)     (docs/theory.md, "Payload or push")
 ///
+/// @param joints    of the window, from PayloadStatistics::marginals
 /// @param jacobian  J, 6 x Dofs, of the window, over which it is taken as constant
 /// @param[out] log_evidence  as it was unless the status is Ok
-/// @return Ok, or NotPositiveDefinite (a nuisance covariance)
+/// @return Ok, or NotPositiveDefinite if a number overflowed
 template <typename Scalar, int Dofs>
-Status push_log_evidence(const PayloadStatistics<Scalar, Dofs>& statistics, const JointVector<Scalar, Dofs>& precision,
-                         const NuisanceGaussian<Scalar, Dofs>& nuisance, const Payload<Scalar>& payload,
-                         const Jacobian<Scalar, Dofs>& jacobian, const PushPrior& prior,
+Status push_log_evidence(const typename PayloadStatistics<Scalar, Dofs>::Marginals& joints,
+                         const Payload<Scalar>& payload, const Jacobian<Scalar, Dofs>& jacobian, const PushPrior& prior,
                          Scalar& log_evidence) noexcept {
   Vector6<Scalar> deviation;
   deviation << Vector3<Scalar>::Constant(Scalar(prior.force)), Vector3<Scalar>::Constant(Scalar(prior.moment));
@@ -44,19 +43,16 @@ Status push_log_evidence(const PayloadStatistics<Scalar, Dofs>& statistics, cons
   residual << Scalar(1), -payload.mass, -payload.mass * payload.com;
   Scalar ee = Scalar(0), log_factor = Scalar(0);
   for (int j = 0; j < Dofs; ++j) {
-    typename PayloadStatistics<Scalar, Dofs>::Marginal joint;
-    const Status status = statistics.marginal(j, precision[j], nuisance, joint);
-    if (status != Status::Ok) return status;
+    const auto& joint = joints[static_cast<std::size_t>(j)];
     const Vector6<Scalar> row = deviation.cwiseProduct(jacobian.col(j));
     ee += residual.dot(joint.products.template topLeftCorner<5, 5>() * residual);
     b += joint.products.template topRightCorner<5, 1>().dot(residual) * row;
     P += joint.products(5, 5) * row * row.transpose();
     log_factor += joint.log_factor;
   }
-  const Eigen::LLT<Matrix6<Scalar>> llt(P);
-  if (llt.info() != Eigen::Success) return Status::NotPositiveDefinite;
-  log_evidence =
-      Scalar(-0.5) * (ee - b.dot(llt.solve(b))) - llt.matrixLLT().diagonal().array().log().sum() + log_factor;
+  const Cholesky<Scalar, 6> factor(P);
+  if (!factor.positive_definite()) return Status::NotPositiveDefinite;
+  log_evidence = Scalar(-0.5) * (ee - factor.solve_lower(b).squaredNorm()) - factor.log_det_lower() + log_factor;
   return Status::Ok;
 }
 

@@ -90,6 +90,9 @@ class EventInference {
   using All = std::array<Inferred, kMaxSensors>;
   Inferred infer_with(std::size_t sensor, Scalar excess, const Statistics& window,
                       const PayloadGaussian<Scalar>& prior) const noexcept;
+  /// The same from the likelihood of a window of `count` samples.
+  Inferred infer_from(const PayloadLikelihood<Scalar>& likelihood, std::size_t sensor, Scalar excess, int count,
+                      const PayloadGaussian<Scalar>& prior) const noexcept;
   /// The same with the excess, at least 1, that the likeliest model shows.
   All infer_all(const Statistics& window, const PayloadGaussian<Scalar>& prior, Scalar& excess) const noexcept;
   /// Of the noise, in a log evidence.
@@ -145,19 +148,26 @@ void EventInference<Scalar, Dofs>::learn_baseline(const Statistics& quiet) noexc
 template <typename Scalar, int Dofs>
 auto EventInference<Scalar, Dofs>::infer_with(std::size_t sensor, Scalar excess, const Statistics& window,
                                               const PayloadGaussian<Scalar>& prior) const noexcept -> Inferred {
-  Inferred out;
   PayloadLikelihood<Scalar> likelihood;
+  const JointVector<Scalar, Dofs> precision = sensors_[sensor].precision(dt_) / excess;
+  if (window.likelihood(precision, nuisances_[sensor], likelihood) != Status::Ok) return Inferred();
+  return infer_from(likelihood, sensor, excess, window.count(), prior);
+}
+
+template <typename Scalar, int Dofs>
+auto EventInference<Scalar, Dofs>::infer_from(const PayloadLikelihood<Scalar>& likelihood, std::size_t sensor,
+                                              Scalar excess, int count,
+                                              const PayloadGaussian<Scalar>& prior) const noexcept -> Inferred {
+  Inferred out;
   InferenceResult<Scalar> result;
-  const SensorModel<Scalar, Dofs>& model = sensors_[sensor];
-  if (window.likelihood(model.precision(dt_) / excess, nuisances_[sensor], likelihood) != Status::Ok) return out;
   const Status status = infer(likelihood, prior, result, config_);
   out.valid = status == Status::Ok || status == Status::NotConverged;
   if (!out.valid) return out;
   out.posterior = result.posterior;
-  out.log_evidence = result.log_evidence - Scalar(0.5) * likelihood.yy + likelihood.log_factor +
-                     log_factor(sensor, excess, window.count());
+  out.log_evidence =
+      result.log_evidence - Scalar(0.5) * likelihood.yy + likelihood.log_factor + log_factor(sensor, excess, count);
   out.misfit =
-      -2 * likelihood.log_likelihood(out.posterior.mean) / (Dofs * model.independent_samples(dt_, window.count()));
+      -2 * likelihood.log_likelihood(out.posterior.mean) / (Dofs * sensors_[sensor].independent_samples(dt_, count));
   return out;
 }
 
@@ -199,12 +209,14 @@ Verdict<Scalar> EventInference<Scalar, Dofs>::judge(const Statistics& settled, c
   for (std::size_t k = 0; k < sensors_.size(); ++k) {
     if (!of_event[k].valid) continue;
     const JointVector<Scalar, Dofs> precision = sensors_[k].precision(dt_) / excess;
-    PayloadLikelihood<Scalar> likelihood;
+    typename Statistics::Marginals joints;
     Scalar of_push;
-    if (settled.likelihood(precision, nuisances_[k], likelihood) != Status::Ok ||
-        push_log_evidence(settled, precision, nuisances_[k], before, jacobian, push_, of_push) != Status::Ok)
+    if (settled.marginals(precision, nuisances_[k], joints) != Status::Ok ||
+        push_log_evidence<Scalar, Dofs>(joints, before, jacobian, push_, of_push) != Status::Ok)
       continue;
-    const Inferred of_payload = &settled == &event ? of_event[k] : infer_with(k, excess, settled, prior);
+    const PayloadLikelihood<Scalar> likelihood = Statistics::likelihood(joints);
+    const Inferred of_payload =
+        &settled == &event ? of_event[k] : infer_from(likelihood, k, excess, settled.count(), prior);
     if (!of_payload.valid) continue;
     posterior.add(of_event[k].posterior, of_event[k].log_evidence);
     const Scalar factor = log_factor(k, excess, settled.count());

@@ -1,7 +1,7 @@
 #pragma once
 /// The running sums from which a payload is inferred, and the faults of a torque sensor marginalised out of them.
-#include <Eigen/Cholesky>
 #include <array>
+#include <rme/core/cholesky.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/payload_likelihood.hpp>
@@ -110,12 +110,12 @@ class PayloadStatistics {
     const auto j = static_cast<std::size_t>(joint);
     const Scalar w = precision;
     // With Lambda = L L^T: (Lambda^-1 + w G)^-1 = L (1 + w L^T G L)^-1 L^T, which needs no inverse of Lambda.
-    const Eigen::LLT<NuisanceMatrix<Scalar>> prior(nuisance.covariance[j]);
-    if (prior.info() != Eigen::Success) return Status::NotPositiveDefinite;
-    const NuisanceMatrix<Scalar> L = prior.matrixL();
+    const Cholesky<Scalar, kNuisances> prior(nuisance.covariance[j]);
+    if (!prior.positive_definite()) return Status::NotPositiveDefinite;
+    const NuisanceMatrix<Scalar>& L = prior.lower();
     const NuisanceMatrix<Scalar> nn = gram_[j].template bottomRightCorner<kNuisances, kNuisances>();
-    const Eigen::LLT<NuisanceMatrix<Scalar>> inner(NuisanceMatrix<Scalar>::Identity() + w * L.transpose() * nn * L);
-    if (inner.info() != Eigen::Success) return Status::NotPositiveDefinite;
+    const Cholesky<Scalar, kNuisances> inner(NuisanceMatrix<Scalar>::Identity() + w * L.transpose() * nn * L);
+    if (!inner.positive_definite()) return Status::NotPositiveDefinite;
     // The constant is the first nuisance's regressor as well, so that it stands once in the Gram matrix.
     Signals uu = gram_[j].template topLeftCorner<kSignals, kSignals>();
     Cross un = gram_[j].template topRightCorner<kSignals, kNuisances>();
@@ -125,30 +125,48 @@ class PayloadStatistics {
     uu.col(0) -= shift;
     uu(0, 0) += mu.dot(nn * mu);
     un.row(0) -= (nn * mu).transpose();
-    const Eigen::Matrix<Scalar, kNuisances, kSignals> half = inner.matrixL().solve((un * L).transpose());
+    const auto half = inner.solve_lower(Eigen::Matrix<Scalar, kNuisances, kSignals>((un * L).transpose()));
     out.products.noalias() = w * uu;
     out.products.noalias() -= (w * w) * half.transpose() * half;
-    out.log_factor = -inner.matrixLLT().diagonal().array().log().sum();
+    out.log_factor = -inner.log_det_lower();
     return Status::Ok;
   }
 
-  /// The likelihood of a payload with every joint's nuisances integrated out: the sum of marginal() over the joints.
+  using Marginals = std::array<Marginal, Dofs>;  ///< per joint
+
+  /// marginal() of every joint.
+  /// @param precision  per joint and sample [1/(N m)^2], > 0
+  /// @return Ok, or NotPositiveDefinite for a nuisance covariance that is not; then `out` holds nothing of use
+  Status marginals(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
+                   Marginals& out) const noexcept {
+    for (int j = 0; j < Dofs; ++j) {
+      const Status status = marginal(j, precision[j], nuisance, out[static_cast<std::size_t>(j)]);
+      if (status != Status::Ok) return status;
+    }
+    return Status::Ok;
+  }
+
+  /// The likelihood of a payload with every joint's nuisances integrated out.
+  static PayloadLikelihood<Scalar> likelihood(const Marginals& joints) noexcept {
+    Signals total = Signals::Zero();
+    Scalar log_factor = Scalar(0);
+    for (const Marginal& joint : joints) {
+      total += joint.products;
+      log_factor += joint.log_factor;
+    }
+    PayloadLikelihood<Scalar> out = PayloadLikelihood<Scalar>::from_products(total.template topLeftCorner<5, 5>());
+    out.log_factor = log_factor;
+    return out;
+  }
+  /// The same from the sums at once.
   /// @param precision  per joint and sample [1/(N m)^2], > 0
   /// @return Ok, or NotPositiveDefinite for a nuisance covariance that is not; then the likelihood is as it was
   Status likelihood(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
                     PayloadLikelihood<Scalar>& out) const noexcept {
-    Signals total = Signals::Zero();
-    Scalar log_factor = Scalar(0);
-    for (int j = 0; j < Dofs; ++j) {
-      Marginal joint;
-      const Status status = marginal(j, precision[j], nuisance, joint);
-      if (status != Status::Ok) return status;
-      total += joint.products;
-      log_factor += joint.log_factor;
-    }
-    out = PayloadLikelihood<Scalar>::from_products(total.template topLeftCorner<5, 5>());
-    out.log_factor = log_factor;
-    return Status::Ok;
+    Marginals joints;
+    const Status status = marginals(precision, nuisance, joints);
+    if (status == Status::Ok) out = likelihood(joints);
+    return status;
   }
 
   /// The likelihood of a payload if there were no nuisances, and white noise alone.
@@ -171,12 +189,12 @@ class PayloadStatistics {
       const Scalar w = precision[static_cast<int>(j)];
       const NuisanceMatrix<Scalar> nn = gram_[j].template bottomRightCorner<kNuisances, kNuisances>();
       const NuisanceVector<Scalar> ny = gram_[j].template topRightCorner<1, kNuisances>().transpose();
-      const Eigen::LLT<NuisanceMatrix<Scalar>> llt(prior.covariance[j]);
-      if (llt.info() != Eigen::Success) return Status::NotPositiveDefinite;
-      const NuisanceMatrix<Scalar> L = llt.matrixL();
-      const Eigen::LLT<NuisanceMatrix<Scalar>> inner(NuisanceMatrix<Scalar>::Identity() + w * L.transpose() * nn * L);
-      if (inner.info() != Eigen::Success) return Status::NotPositiveDefinite;
-      const NuisanceMatrix<Scalar> half = inner.matrixL().solve(L.transpose());
+      const Cholesky<Scalar, kNuisances> factor(prior.covariance[j]);
+      if (!factor.positive_definite()) return Status::NotPositiveDefinite;
+      const NuisanceMatrix<Scalar>& L = factor.lower();
+      const Cholesky<Scalar, kNuisances> inner(NuisanceMatrix<Scalar>::Identity() + w * L.transpose() * nn * L);
+      if (!inner.positive_definite()) return Status::NotPositiveDefinite;
+      const NuisanceMatrix<Scalar> half = inner.solve_lower(NuisanceMatrix<Scalar>(L.transpose()));
       posterior.covariance[j] = half.transpose() * half;
       posterior.mean[j] = prior.mean[j] + w * posterior.covariance[j] * (ny - nn * prior.mean[j]);
     }

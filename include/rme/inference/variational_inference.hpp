@@ -1,8 +1,8 @@
 #pragma once
 /// Gaussian variational inference over a payload, in closed form.
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <rme/core/cholesky.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/inference_result.hpp>
@@ -122,16 +122,16 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
              InferenceResult<Scalar>& result, const VariationalInferenceConfig& config) noexcept {
   if (!likelihood.all_finite() || !prior.mean.allFinite() || !prior.covariance.allFinite())
     return Status::NonFiniteInput;
-  const Eigen::LLT<Matrix4<Scalar>> prior_llt(prior.covariance);
-  if (prior_llt.info() != Eigen::Success) return Status::NotPositiveDefinite;
-  const Matrix4<Scalar> prior_precision = prior_llt.solve(Matrix4<Scalar>::Identity());
+  const Cholesky<Scalar, 4> prior_factor(prior.covariance);
+  if (!prior_factor.positive_definite()) return Status::NotPositiveDefinite;
+  const Matrix4<Scalar> prior_precision = prior_factor.inverse();
   const ExpectedLogJoint<Scalar> joint(likelihood, prior.mean, prior_precision);
   using std::sqrt;
   // In float a gradient is not known better than this.
   const Scalar tolerance = std::max(Scalar(config.tolerance), 32 * sqrt(Eigen::NumTraits<Scalar>::epsilon()));
 
   // Entropy of q and normaliser of the prior; their powers of 2 pi cancel.
-  const Scalar constant = Scalar(2) - prior_llt.matrixLLT().diagonal().array().log().sum();
+  const Scalar constant = Scalar(2) - prior_factor.log_det_lower();
 
   // One point of the iteration; log det Sigma comes from the factor of the precision P = Sigma^-1.
   struct Iterate {
@@ -141,10 +141,10 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
     Scalar elbo;
   };
   const auto invert = [](Iterate& q) noexcept {
-    const Eigen::LLT<Matrix4<Scalar>> llt(q.P);
-    if (llt.info() != Eigen::Success) return false;
-    q.Sigma = llt.solve(Matrix4<Scalar>::Identity());
-    q.log_det_P = 2 * llt.matrixLLT().diagonal().array().log().sum();
+    const Cholesky<Scalar, 4> factor(q.P);
+    if (!factor.positive_definite()) return false;
+    q.Sigma = factor.inverse();
+    q.log_det_P = 2 * factor.log_det_lower();
     return true;
   };
   const auto evaluate = [&joint, constant](Iterate& q) noexcept {

@@ -34,7 +34,7 @@ class WindowStatistics {
   void add(const PayloadObservation<Scalar, Dofs>& observation) noexcept {
     unfinished_ += observation;
     if (++ticks_ < block_) return;
-    add_block(gram_);
+    for (int j = 0; j < Dofs; ++j) add_block(j, gram_[static_cast<std::size_t>(j)]);
     count_ += ticks_;
     unfinished_ = PayloadObservation<Scalar, Dofs>();
     ticks_ = 0;
@@ -56,16 +56,20 @@ class WindowStatistics {
                                  Scalar(0), r[2],      r[1],
                                  Scalar(0), Scalar(0), 2 * r[2];
     // clang-format on
-    std::array<Gram, Dofs> all = gram_;
-    if (ticks_ > 0) add_block(all);
     typename PayloadStatistics<Scalar, Dofs>::Grams linear;
-    for (std::size_t j = 0; j < linear.size(); ++j) {
-      const Gram& g = all[j];
-      const Eigen::Matrix<Scalar, kLinear, 4> cross = g.template topRightCorner<kLinear, 6>() * U;
-      linear[j] = g.template topLeftCorner<kLinear, kLinear>();
-      linear[j].template middleCols<4>(1) += cross;
-      linear[j].template middleRows<4>(1) += cross.transpose();
-      linear[j].template block<4, 4>(1, 1) += U.transpose() * g.template bottomRightCorner<6, 6>() * U;
+    for (int j = 0; j < Dofs; ++j) {
+      const auto joint = static_cast<std::size_t>(j);
+      Gram g = gram_[joint];
+      if (ticks_ > 0) add_block(j, g);
+      Eigen::Matrix<Scalar, kLinear, 4> cross;
+      cross.noalias() = g.template topRightCorner<kLinear, 6>().lazyProduct(U);
+      Eigen::Matrix<Scalar, 6, 4> half;
+      half.noalias() = g.template bottomRightCorner<6, 6>().lazyProduct(U);
+      auto& out = linear[joint];
+      out = g.template topLeftCorner<kLinear, kLinear>();
+      out.template middleCols<4>(1) += cross;
+      out.template middleRows<4>(1) += cross.transpose();
+      out.template block<4, 4>(1, 1) += U.transpose().lazyProduct(half);
     }
     return PayloadStatistics<Scalar, Dofs>(linear, count());
   }
@@ -74,16 +78,14 @@ class WindowStatistics {
   static constexpr int kLinear = PayloadStatistics<Scalar, Dofs>::kColumns;
   using Gram = Eigen::Matrix<Scalar, kLinear + 6, kLinear + 6>;
 
-  /// Adds the mean of the unfinished block, as often as it has ticks.
-  void add_block(std::array<Gram, Dofs>& gram) const noexcept {
+  /// Adds the mean of the unfinished block to a joint's sums, as often as it has ticks.
+  void add_block(int joint, Gram& gram) const noexcept {
     const Scalar weight = Scalar(1) / Scalar(ticks_);
-    for (int j = 0; j < Dofs; ++j) {
-      Eigen::Matrix<Scalar, kLinear + 6, 1> z;
-      z.template head<kLinear>() = PayloadStatistics<Scalar, Dofs>::row(unfinished_, j);
-      z[kConstant] = Scalar(ticks_);
-      z.template tail<6>() = unfinished_.regressor.Q.row(j).transpose();
-      gram[static_cast<std::size_t>(j)].noalias() += (weight * z) * z.transpose();
-    }
+    Eigen::Matrix<Scalar, kLinear + 6, 1> z;
+    z.template head<kLinear>() = PayloadStatistics<Scalar, Dofs>::row(unfinished_, joint);
+    z[kConstant] = Scalar(ticks_);
+    z.template tail<6>() = unfinished_.regressor.Q.row(joint).transpose();
+    gram.noalias() += (weight * z) * z.transpose();
   }
   static constexpr int kConstant = PayloadStatistics<Scalar, Dofs>::kConstant;
 

@@ -146,10 +146,8 @@ Status MismatchNetwork<Scalar, Architecture>::forward(const Window& window, Outp
   Matrix<kEmbed, 1> pooled;  // values under the mean attention, all heads
   for (int h = 0; h < A::kHeads; ++h) {
     const int row = h * kHeadSize;
-    Matrix<A::kSamples, A::kSamples> weights;
-    attention_weights(query_key.template middleCols<kHeadSize>(row),
-                      query_key.template middleCols<kHeadSize>(kEmbed + row), weights);
-    const Matrix<A::kSamples, 1> mean_weights = weights.colwise().mean().transpose();
+    const Matrix<A::kSamples, 1> mean_weights = mean_attention_weights<Scalar, A::kSamples>(
+        query_key.template middleCols<kHeadSize>(row), query_key.template middleCols<kHeadSize>(kEmbed + row));
     const Matrix<kPatch, 1> mean_patch = patches.transpose() * mean_weights;
     pooled.template segment<kHeadSize>(row).noalias() =
         value_weight_.template middleRows<kHeadSize>(row) * mean_patch +

@@ -39,10 +39,13 @@ struct NetworkPriorConfig {
 ///
 ///     const auto network = std::make_unique<MismatchNetwork<double>>(model.weights);  // must outlive the estimator
 ///     Estimator<double, 7, NetworkPrior<double>> estimator(0.001, {}, NetworkPrior<double>(*network, 0.001));
-template <typename Scalar, typename Architecture = PublishedArchitecture>
+///
+/// @tparam NetworkScalar  of the network. Weights are learned in float, and a network in float serves an estimator in
+///                        double as well, in half the time and half the memory
+template <typename Scalar, typename Architecture = PublishedArchitecture, typename NetworkScalar = Scalar>
 class NetworkPrior {
  public:
-  using Network = MismatchNetwork<Scalar, Architecture>;
+  using Network = MismatchNetwork<NetworkScalar, Architecture>;
 
   /// @param network  is kept by reference
   /// @param dt       control period [s], > 0
@@ -65,9 +68,9 @@ class NetworkPrior {
   std::size_t stride_;
 };
 
-template <typename Scalar, typename Architecture>
-NetworkPrior<Scalar, Architecture>::NetworkPrior(const Network& network, double dt,
-                                                 const NetworkPriorConfig<Scalar>& config)
+template <typename Scalar, typename Architecture, typename NetworkScalar>
+NetworkPrior<Scalar, Architecture, NetworkScalar>::NetworkPrior(const Network& network, double dt,
+                                                                const NetworkPriorConfig<Scalar>& config)
     : network_(&network), config_(config), stride_(1) {
   static_assert(Network::Output::RowsAtCompileTime == 4, "a prior needs m, r_x, r_y, r_z");
   for (int i = 0; i < 4; ++i) {
@@ -84,10 +87,11 @@ NetworkPrior<Scalar, Architecture>::NetworkPrior(const Network& network, double 
   stride_ = static_cast<std::size_t>(std::lround(config.spacing / dt));
 }
 
-template <typename Scalar, typename Architecture>
+template <typename Scalar, typename Architecture, typename NetworkScalar>
 template <int Dofs>
-bool NetworkPrior<Scalar, Architecture>::guess(const SampleWindow<Scalar, Dofs>& window, std::size_t count,
-                                               typename Network::Output& out) const noexcept {
+bool NetworkPrior<Scalar, Architecture, NetworkScalar>::guess(const SampleWindow<Scalar, Dofs>& window,
+                                                              std::size_t count,
+                                                              typename Network::Output& out) const noexcept {
   using Input = typename Network::Window;
   constexpr int samples = Input::RowsAtCompileTime;
   // A shorter collection would show the network what was before the event.
@@ -98,20 +102,22 @@ bool NetworkPrior<Scalar, Architecture>::guess(const SampleWindow<Scalar, Dofs>&
     Wrench<Scalar> wrench;
     if (pseudo_wrench<Scalar, Dofs>(tick.jacobian, tick.tau_ext, config_.damping, wrench) != Status::Ok) return false;
     if (network_->frame() == InputFrame::EndEffector) wrench = in_end_effector_axes<Scalar>(wrench, tick.rotation);
-    input.row(i) = wrench.vector().transpose();
+    input.row(i) = wrench.vector().transpose().template cast<NetworkScalar>();
   }
   Input normalized;
   network_->normalization().forward(input, normalized);
-  return normalized.cwiseAbs().maxCoeff() <= config_.farthest && network_->forward(input, out) == Status::Ok;
+  return normalized.cwiseAbs().maxCoeff() <= NetworkScalar(config_.farthest) &&
+         network_->forward(input, out) == Status::Ok;
 }
 
-template <typename Scalar, typename Architecture>
+template <typename Scalar, typename Architecture, typename NetworkScalar>
 template <int Dofs>
-PayloadGaussian<Scalar> NetworkPrior<Scalar, Architecture>::operator()(const SampleWindow<Scalar, Dofs>& window,
-                                                                       std::size_t count) const noexcept {
+PayloadGaussian<Scalar> NetworkPrior<Scalar, Architecture, NetworkScalar>::operator()(
+    const SampleWindow<Scalar, Dofs>& window, std::size_t count) const noexcept {
   const PayloadGaussian<Scalar> fixed = config_.unknown(window, count);
-  typename Network::Output mean;
-  if (!guess(window, count, mean)) return fixed;
+  typename Network::Output out;
+  if (!guess(window, count, out)) return fixed;
+  const Vector4<Scalar> mean = out.template cast<Scalar>();
   auto prior = PayloadGaussian<Scalar>::independent(mean, config_.standard_deviation);
   const Vector3<Scalar> down = window.newest().raw.rotation.transpose() * config_.gravity.normalized();
   const Matrix3<Scalar> along = down * down.transpose();

@@ -2,9 +2,30 @@
 /// Multi-head self-attention.
 #include <Eigen/Core>
 #include <cmath>
+#include <rme/network/exponential.hpp>
 #include <rme/network/linear.hpp>
 
 namespace rme {
+
+/// Numerators of one head's softmax over the keys of q_t . k_s, scaled so that each row's largest is 1.
+/// @param queries     Samples x Size, one query per row, already scaled by 1 / sqrt(Size)
+/// @param keys        Samples x Size, one key per row
+/// @param numerators  Samples x Samples: row t holds query t's
+/// @return their sums, Samples x 1: each query's denominator
+template <typename Queries, typename Keys, typename Scalar, int Samples>
+Eigen::Matrix<Scalar, Samples, 1> softmax_numerators(const Eigen::MatrixBase<Queries>& queries,
+                                                     const Eigen::MatrixBase<Keys>& keys,
+                                                     Eigen::Matrix<Scalar, Samples, Samples>& numerators) noexcept {
+  // Queries run along the contiguous direction, so that maximum, exponential and sum are all element by element.
+  numerators.noalias() = queries.lazyProduct(keys.transpose());
+  const Eigen::Matrix<Scalar, Samples, 1> highest = numerators.rowwise().maxCoeff();
+  numerators.colwise() -= highest;
+  // Nothing is added by smaller ones, and those below the normal numbers take a hundred times as long.
+  numerators = numerators.cwiseMax(Scalar(-80));
+  Scalar* const all = numerators.data();
+  for (int i = 0; i < Samples * Samples; ++i) all[i] = softmax_exp(all[i]);
+  return numerators.rowwise().sum();
+}
 
 /// Attention weights of one head: softmax over the keys of q_t . k_s.
 /// @param queries  Samples x Size, one query per row, already scaled by 1 / sqrt(Size)
@@ -13,13 +34,17 @@ namespace rme {
 template <typename Queries, typename Keys, typename Scalar, int Samples>
 void attention_weights(const Eigen::MatrixBase<Queries>& queries, const Eigen::MatrixBase<Keys>& keys,
                        Eigen::Matrix<Scalar, Samples, Samples>& weights) noexcept {
-  // Queries run along the contiguous direction, so that maximum, exponential and sum are all element by element.
-  weights.noalias() = queries.lazyProduct(keys.transpose());
-  const Eigen::Matrix<Scalar, Samples, 1> highest = weights.rowwise().maxCoeff();
-  weights.colwise() -= highest;
-  weights = weights.array().exp();  // on its own: inside the line above Eigen does not vectorise it
-  const Eigen::Matrix<Scalar, Samples, 1> total = weights.rowwise().sum();
+  const Eigen::Matrix<Scalar, Samples, 1> total = softmax_numerators(queries, keys, weights);
   weights.array().colwise() /= total.array();
+}
+
+/// Their mean over the queries: how much all of them together take from each sample, Samples x 1; sums to 1.
+template <typename Scalar, int Samples, typename Queries, typename Keys>
+Eigen::Matrix<Scalar, Samples, 1> mean_attention_weights(const Eigen::MatrixBase<Queries>& queries,
+                                                         const Eigen::MatrixBase<Keys>& keys) noexcept {
+  Eigen::Matrix<Scalar, Samples, Samples> numerators;
+  const Eigen::Matrix<Scalar, Samples, 1> total = softmax_numerators(queries, keys, numerators);
+  return numerators.transpose() * (Scalar(Samples) * total).cwiseInverse();
 }
 
 /// torch.nn.MultiheadAttention(Embed, Heads, batch_first=True) with query = key = value, without dropout: no residual,

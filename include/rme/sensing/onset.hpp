@@ -52,19 +52,45 @@ Onset<Scalar> find_onset(const SampleWindow<Scalar, Dofs>& window, std::size_t r
   return onset;
 }
 
-/// Largest distance between the mean torques of the four quarters of the newest `count` samples, ||.||_2 [N m]: small
-/// when nothing happened within them. 0 for fewer than four samples. Real time: O(count Dofs).
+/// Whether anything happened within a span of `count` samples, fed one by one: largest distance between the mean
+/// torques of its four quarters, ||.||_2 [N m], small at rest. What `count` has over a multiple of four is left out at
+/// the beginning. Real time: O(Dofs) per call.
+template <typename Scalar, int Dofs>
+class Unrest {
+ public:
+  explicit Unrest(std::size_t count) noexcept : quarter_(count / 4), left_out_(count % 4) {}
+
+  void clear() noexcept {
+    sum_.setZero();
+    added_ = 0;
+  }
+  /// Samples after the `count`th say nothing.
+  void add(const JointVector<Scalar, Dofs>& tau) noexcept {
+    const std::size_t index = added_++;
+    if (index >= left_out_ && index < left_out_ + 4 * quarter_)
+      sum_.col(static_cast<int>((index - left_out_) / quarter_)) += tau;
+  }
+  /// Of the whole span; 0 if that is shorter than four samples. Requires `count` samples.
+  Scalar value() const noexcept {
+    Scalar largest = Scalar(0);
+    if (quarter_ == 0) return largest;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < i; ++j) largest = std::max(largest, (sum_.col(i) - sum_.col(j)).norm());
+    return largest / Scalar(quarter_);
+  }
+
+ private:
+  std::size_t quarter_, left_out_, added_ = 0;
+  Eigen::Matrix<Scalar, Dofs, 4> sum_ = Eigen::Matrix<Scalar, Dofs, 4>::Zero();
+};
+
+/// The same of the newest `count` samples of a window, or all that it has. Real time: O(count Dofs).
 template <typename Scalar, int Dofs>
 Scalar unrest(const SampleWindow<Scalar, Dofs>& window, std::size_t count) noexcept {
-  const std::size_t quarter = std::min(count, window.size()) / 4;
-  if (quarter == 0) return Scalar(0);
-  Eigen::Matrix<Scalar, Dofs, 4> mean = Eigen::Matrix<Scalar, Dofs, 4>::Zero();
-  for (std::size_t age = 0; age < 4 * quarter; ++age)
-    mean.col(static_cast<int>(age / quarter)) += window.newest(age).tau / Scalar(quarter);
-  Scalar largest = Scalar(0);
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < i; ++j) largest = std::max(largest, (mean.col(i) - mean.col(j)).norm());
-  return largest;
+  count = std::min(count, window.size());
+  Unrest<Scalar, Dofs> out(count);
+  for (std::size_t age = count; age-- > 0;) out.add(window.newest(age).tau);
+  return out.value();
 }
 
 }  // namespace rme

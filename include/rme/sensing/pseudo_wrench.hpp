@@ -1,7 +1,6 @@
 #pragma once
 /// The wrench at the end effector that would explain the external joint torque.
-#include <Eigen/Cholesky>
-#include <cmath>
+#include <rme/core/cholesky.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
@@ -21,9 +20,9 @@ Status pseudo_wrench(const Jacobian<Scalar, Dofs>& jacobian, const JointVector<S
   A.diagonal().array() += damping;
   const Vector6<Scalar> b = jacobian * tau_ext;
   if (!A.allFinite() || !b.allFinite()) return Status::NonFiniteInput;
-  const Eigen::LLT<Matrix6<Scalar>> llt(A);
-  if (!(damping > 0) || llt.info() != Eigen::Success) return Status::NotPositiveDefinite;
-  const Vector6<Scalar> w = llt.solve(b);
+  const Cholesky<Scalar, 6> factor(A);
+  if (!(damping > 0) || !factor.positive_definite()) return Status::NotPositiveDefinite;
+  const Vector6<Scalar> w = factor.solve(b);
   if (!w.allFinite()) return Status::NonFiniteInput;
   wrench = Wrench<Scalar>::from_vector(w);
   return Status::Ok;

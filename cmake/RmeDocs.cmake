@@ -1,0 +1,25 @@
+# Target docs_html: the headers, README and docs/ as HTML; a warning of Doxygen's is an error. No LaTeX, no graphviz: formulas
+# are plain text.
+find_package(Doxygen 1.9 QUIET)
+if(DOXYGEN_FOUND)
+  set(DOXYGEN_PROJECT_BRIEF "${PROJECT_DESCRIPTION}")
+  set(DOXYGEN_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/docs)
+  set(DOXYGEN_USE_MDFILE_AS_MAINPAGE ${PROJECT_SOURCE_DIR}/README.md)
+  set(DOXYGEN_STRIP_FROM_PATH ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR})
+  set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/docs)
+  set(DOXYGEN_FILE_PATTERNS *.hpp *.md)
+  set(DOXYGEN_EXCLUDE_SYMBOLS rme::detail)
+  set(DOXYGEN_JAVADOC_AUTOBRIEF YES)  # a class is introduced by its first sentence
+  set(DOXYGEN_BUILTIN_STL_SUPPORT YES)
+  set(DOXYGEN_HAVE_DOT NO)
+  set(DOXYGEN_QUIET YES)
+  # Aliases and getters whose name says it all need no sentence; what is written must be right.
+  set(DOXYGEN_WARN_IF_UNDOCUMENTED NO)
+  set(DOXYGEN_WARN_IF_INCOMPLETE_DOC NO)
+  set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)
+  doxygen_add_docs(docs_html ${PROJECT_SOURCE_DIR}/include/rme ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/README.md)
+  add_test(NAME docs.doxygen COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target docs_html)
+else()
+  add_test(NAME docs.doxygen COMMAND ${CMAKE_COMMAND} -E echo "skipped: no Doxygen here")
+  set_tests_properties(docs.doxygen PROPERTIES SKIP_REGULAR_EXPRESSION "skipped")
+endif()

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Builds the benchmarks, runs them and writes docs/performance.md. Measuring takes two minutes; leave the machine alone meanwhile.
+# shellcheck source=cmake/setup.sh
+source "$(dirname "$0")/../../cmake/setup.sh"
+
+install_packages "${build_packages[@]}" catch2 liborocos-kdl-dev libtorch-dev python3-torch python3-matplotlib
+configure -DRME_BUILD_BENCHMARKS=ON
+build benchmarks
+say "measuring"
+# The python that apt installs torch and matplotlib for, whatever else is on the PATH.
+exec /usr/bin/python3 tests/benchmarks/report.py build

@@ -1,0 +1,137 @@
+// Every call that a host makes in its loop, and every one that those are made of, cannot throw. Compiles, or does not.
+#include <random>
+#include <rme/rme.hpp>
+
+namespace {
+
+template <typename T>
+const T& a() noexcept;
+template <typename T>
+T& my() noexcept;
+
+template <typename Scalar, int Dofs>
+struct Loop {
+  using Vector = rme::JointVector<Scalar, Dofs>;
+  using Matrix = rme::JointMatrix<Scalar, Dofs>;
+  using Jacobian = rme::Jacobian<Scalar, Dofs>;
+  using Vector3 = rme::Vector3<Scalar>;
+  using Matrix3 = rme::Matrix3<Scalar>;
+  using Tick = rme::Proprioception<Scalar, Dofs>;
+  using Payload = rme::Payload<Scalar>;
+
+  // core
+  static_assert(noexcept(rme::payload_wrench(a<Payload>(), a<Matrix3>(), a<Vector3>())));
+  static_assert(noexcept(my<rme::RingBuffer<Scalar>>().push(Scalar(1))));
+  static_assert(noexcept(a<rme::RingBuffer<Scalar>>().newest(1)) && noexcept(my<rme::RingBuffer<Scalar>>().clear()));
+  static_assert(noexcept(rme::Cholesky<Scalar, 6>(a<rme::Matrix6<Scalar>>())));
+
+  // estimator
+  using Prior = rme::NetworkPrior<Scalar>;
+  using Estimator = rme::Estimator<Scalar, Dofs, Prior>;
+  static_assert(noexcept(my<Estimator>().update(a<Tick>())));
+  static_assert(noexcept(my<Estimator>().trigger()) && noexcept(my<Estimator>().tare(1.0)));
+  static_assert(noexcept(my<Estimator>().reset()));
+  static_assert(noexcept(a<Estimator>().compensation(a<Jacobian>(), a<Matrix3>())));
+  static_assert(noexcept(a<Estimator>().phase()) && noexcept(a<Estimator>().estimate()));
+  static_assert(noexcept(a<Estimator>().estimated()) && noexcept(a<Estimator>().refreshed()));
+  static_assert(noexcept(a<Estimator>().rejected()) && noexcept(a<Estimator>().verdict()));
+  static_assert(noexcept(a<Estimator>().time()) && noexcept(a<Estimator>().detected_at()));
+  static_assert(noexcept(a<Estimator>().detector()) && noexcept(a<Estimator>().config()));
+  static_assert(noexcept(a<rme::Estimate<Scalar>>().payload()));
+
+  // sensing
+  using Detector = rme::MismatchDetector<Dofs>;
+  using Observer = rme::MomentumObserver<Scalar, Dofs>;
+  using Window = rme::SampleWindow<Scalar, Dofs>;
+  static_assert(noexcept(rme::check(a<Tick>())));
+  static_assert(noexcept(my<Window>().push(a<Tick>())) && noexcept(my<Window>().reset()));
+  static_assert(noexcept(a<Window>().newest(1)) && noexcept(a<Window>().size()));
+  static_assert(noexcept(my<Detector>().update(a<typename Detector::Signal>())) && noexcept(my<Detector>().reset()));
+  static_assert(noexcept(a<Detector>().detected()) && noexcept(a<Detector>().rapid_change()));
+  static_assert(noexcept(a<Detector>().stabilised()));
+  static_assert(noexcept(my<Observer>().update(a<Vector>(), a<Vector>(), a<Matrix>(), a<Vector>(), a<Vector>())));
+  static_assert(noexcept(my<Observer>().reset()) && noexcept(a<Observer>().tau_ext()));
+  static_assert(noexcept(rme::pseudo_wrench(a<Jacobian>(), a<Vector>(), Scalar(1), my<rme::Wrench<Scalar>>())));
+  static_assert(noexcept(rme::in_end_effector_axes(a<rme::Wrench<Scalar>>(), a<Matrix3>())));
+  static_assert(noexcept(rme::find_onset(a<Window>(), 1, 1)) && noexcept(rme::unrest(a<Window>(), 1)));
+  static_assert(noexcept(my<rme::Unrest<Scalar, Dofs>>().add(a<Vector>())));
+  static_assert(noexcept(a<rme::Unrest<Scalar, Dofs>>().value()));
+
+  // network
+  using Network = rme::MismatchNetwork<Scalar>;
+  static_assert(noexcept(a<Network>().forward(a<typename Network::Window>(), my<typename Network::Output>())));
+  static_assert(noexcept(a<Prior>()(a<Window>(), 1)));
+  static_assert(noexcept(a<Prior>().guess(a<Window>(), 1, my<typename Network::Output>())));
+  static_assert(noexcept(a<rme::FixedPrior<Scalar>>()(a<Window>(), 1)));
+
+  // inference
+  using Gaussian = rme::PayloadGaussian<Scalar>;
+  using Likelihood = rme::PayloadLikelihood<Scalar>;
+  using Result = rme::InferenceResult<Scalar>;
+  using Statistics = rme::PayloadStatistics<Scalar, Dofs>;
+  using Nuisance = rme::NuisanceGaussian<Scalar, Dofs>;
+  using Observation = rme::PayloadObservation<Scalar, Dofs>;
+  using Sums = rme::WindowStatistics<Scalar, Dofs>;
+  using Inference = rme::EventInference<Scalar, Dofs>;
+  using Sensor = rme::SensorModel<Scalar, Dofs>;
+  static_assert(noexcept(rme::payload_regressor<Scalar, Dofs>(a<Jacobian>(), a<Matrix3>(), a<Vector3>(),
+                                                              a<rme::FlangeMotion<Scalar>>(), Scalar(0))));
+  static_assert(noexcept(my<Statistics>().add(a<Observation>())) && noexcept(my<Statistics>() += a<Statistics>()));
+  static_assert(noexcept(a<Statistics>().marginals(a<Vector>(), a<Nuisance>(), my<typename Statistics::Marginals>())));
+  static_assert(noexcept(a<Statistics>().likelihood(a<Vector>(), a<Nuisance>(), my<Likelihood>())));
+  static_assert(noexcept(a<Statistics>().nuisance_posterior(a<Vector>(), a<Nuisance>(), my<Nuisance>())));
+  static_assert(noexcept(my<Sums>().add(a<Observation>())) && noexcept(my<Sums>().clear()));
+  static_assert(noexcept(a<Sums>().about(a<Vector3>())));
+  static_assert(noexcept(rme::infer(a<Likelihood>(), a<Gaussian>(), my<Result>())));
+  static_assert(noexcept(rme::infer(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::MeanFieldConfig())));
+  static_assert(noexcept(rme::infer(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::ExactQuadrature())));
+  static_assert(noexcept(rme::infer(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::StochasticViConfig(),
+                                    my<std::mt19937_64>())));
+  static_assert(noexcept(rme::payload_log_evidence(a<Likelihood>(), a<Payload>())));
+  static_assert(noexcept(rme::push_log_evidence<Scalar, Dofs>(a<typename Statistics::Marginals>(), a<Payload>(),
+                                                              a<Jacobian>(), a<rme::PushPrior>(), my<Scalar>())));
+  static_assert(noexcept(a<Inference>().posterior(a<Statistics>(), a<Gaussian>())));
+  static_assert(noexcept(a<Inference>().judge(a<Statistics>(), a<Statistics>(), a<Gaussian>(), a<Payload>(),
+                                              a<Jacobian>(), my<rme::ModelAverage<Scalar>>())));
+  static_assert(noexcept(my<Inference>().learn_baseline(a<Statistics>())));
+  static_assert(noexcept(my<Inference>().forget_baseline()));
+  static_assert(noexcept(my<rme::ModelAverage<Scalar>>().add(a<Gaussian>(), Scalar(0))));
+  static_assert(noexcept(a<rme::ModelAverage<Scalar>>().moments()));
+  static_assert(noexcept(a<Sensor>().precision(Scalar(1))) && noexcept(a<Sensor>().after_event(a<Nuisance>())));
+
+  // control
+  using Flow = rme::Flow<Scalar>;
+  using Rows = rme::ConstraintRows<Scalar, Dofs, 28>;
+  using Cpic = rme::Cpic<Scalar, Dofs>;
+  using Passive = rme::PassiveController<Scalar>;
+  using Point = rme::PointMotion<Scalar, Dofs>;
+  using Solver = rme::ActiveSetSolver<Scalar, Dofs, 28>;
+  static_assert(noexcept(rme::flow_at(a<rme::LinearAttractor<Scalar>>(), a<Vector3>())));
+  static_assert(noexcept(rme::flow_at(a<rme::LimitCycle<Scalar>>(), a<Vector3>())));
+  static_assert(noexcept(a<rme::OrientationAttractor<Scalar>>()(a<Matrix3>())));
+  static_assert(noexcept(my<Passive>().update(a<Flow>(), a<Flow>(), a<rme::Twist<Scalar>>())));
+  static_assert(noexcept(a<Passive>().wrench()) && noexcept(a<Passive>().potential_energy()));
+  static_assert(noexcept(my<Rows>().add(a<Vector>(), Scalar(0))) && noexcept(my<Rows>().add_axis(0, Scalar(0))));
+  static_assert(noexcept(rme::half_space<Scalar, Dofs>(a<Point>(), a<Vector3>(), Scalar(0))));
+  static_assert(noexcept(rme::sphere<Scalar, Dofs>(a<Point>(), a<Vector3>(), Scalar(1), rme::SphereSide::Inside)));
+  static_assert(noexcept(rme::add_barrier(a<rme::BarrierValue<Scalar, Dofs>>(), a<Vector>(),
+                                          a<rme::BarrierPoles<Scalar>>(), my<Rows>())));
+  static_assert(noexcept(a<rme::JointLimits<Scalar, Dofs>>().append(a<Vector>(), a<Vector>(), my<Rows>())));
+  static_assert(noexcept(a<rme::Posture<Scalar, Dofs>>().torque(a<Vector>(), a<Vector>())));
+  static_assert(noexcept(my<rme::NullSpace<Scalar, Dofs>>().update(a<Jacobian>())));
+  static_assert(noexcept(my<Solver>().solve(a<Matrix>(), a<Vector>(), a<Rows>(), a<Vector>(), a<Vector>())));
+  static_assert(noexcept(my<Cpic>().update(a<rme::CpicInput<Scalar, Dofs>>(), a<Rows>())));
+  static_assert(noexcept(my<Cpic>().reset()) && noexcept(a<Cpic>().torque()) && noexcept(a<Cpic>().active_count()));
+  static_assert(noexcept(rme::compensation_torque<Scalar, Dofs>(a<Payload>(), a<Jacobian>(), a<Matrix3>())));
+  static_assert(noexcept(my<rme::CompensationRamp<Scalar, Dofs>>().update(a<Vector>())));
+  static_assert(noexcept(a<rme::CompensationRamp<Scalar, Dofs>>().torque()));
+  static_assert(noexcept(my<rme::EnergyTank<Scalar>>().update(Scalar(1))));
+  static_assert(noexcept(a<rme::EnergyTank<Scalar>>().share()));
+  static_assert(noexcept(rme::kinetic_energy(a<Matrix>(), a<Vector>())));
+  static_assert(noexcept(my<rme::PassivityMonitor<Scalar>>().update(Scalar(1), Scalar(1))));
+};
+
+template struct Loop<double, 7>;
+template struct Loop<float, 6>;
+
+}  // namespace
