@@ -17,7 +17,6 @@ namespace {
 using namespace rme::examples;
 using Eigen::Vector3d, Eigen::Vector4d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRadius = 0.1;      // [m]
 constexpr double kTarget = 0.005;    // distance to the cycle that counts as being on it [m]
 constexpr double kAllowance = 1e-3;  // on that of the empty hand, with friction [m]
