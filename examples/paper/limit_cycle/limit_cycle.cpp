@@ -59,7 +59,8 @@ struct Outcome {
   std::optional<double> noticed, found;  // first early estimate, first final one, after the attach [s]
   Vector4d error = Vector4d::Zero();     // of the latter
 
-  bool returned() const { return outside < 2 * kTurn - 2 * kPeriod; }
+  // A path that crosses the cycle does not stay for the last half of a turn.
+  bool returned() const { return outside < 1.5 * kTurn; }
   bool at_rest() const { return last_speed < kAtRest; }
 };
 
@@ -155,7 +156,7 @@ int run(Arguments& arguments) {
               "outside,last_speed,noticed,found,m_error,x_error,y_error,z_error");
   CsvFile path_without(setup.output, "without.csv", kPathColumns), path_with(setup.output, "with.csv", kPathColumns);
   MarkdownTable cycle({"payload [kg]", "estimator", "turn before [mm]", "turn of the attach [mm]", "turn after [mm]",
-                       "progress [turns]", "stopped", "back for good after [s]"});
+                       "progress [turns]", "stopped", "back after [s]"});
   MarkdownTable estimates(
       {"payload [kg]", "carried after [s]", "final after [s]", "mass [g]", "x [mm]", "y [mm]", "z [mm]"});
   std::uint64_t number = 0;
@@ -200,8 +201,8 @@ int run(Arguments& arguments) {
               setup.name().c_str(), trials, static_cast<unsigned long long>(setup.seed), 1e3 * kRadius, kTurn);
   std::printf(
       "Distance to the cycle: mean over the turn; worst. Progress in the turn after, 1 if the phase keeps up.\n"
-      "Stopped: slower than %.0f mm/s in the end. Back: below %.0f mm for good, the longest of all trials; 0 if it "
-      "never was above.\n\n",
+      "Stopped: slower than %.0f mm/s in the end. Back: below %.0f mm from then to the end, for half a turn at least;\n"
+      "the longest of all trials, 0 if it never was above.\n\n",
       1e3 * kAtRest, 1e3 * kTarget);
   cycle.print();
   std::printf("Estimates on the moving arm: the latest of all trials; mean absolute error of the final ones.\n\n");
