@@ -1,32 +1,18 @@
 #!/usr/bin/env python3
-"""Draws what rme_sequential_interaction --output DIR has written: DIR/sequential_interaction.png.
-
-    python3 plot.py DIR [PICTURE]
+"""Draws what rme_sequential_interaction --output DIR has written.
 
 From above: the mass estimate against the truth, the position error, the distance of the nearest joint to its limit,
 with the estimator and without. Pushes are shaded.
 """
-import argparse
-import csv
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment"))
+from plotting import columns, main, plt
+
 WITH, WITHOUT, PUSH, FORBIDDEN = "#0072b2", "#d55e00", "#e8e8e8", "#f6d5d5"
-
-
-def read(path):
-    """Columns by name."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
-    if not rows:
-        raise ValueError(f"{path}: no rows")
-    return {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
 
 
 def spans(t, active):
@@ -36,9 +22,8 @@ def spans(t, active):
     return [(t[a], t[b]) for a, b in edges.reshape(-1, 2)]
 
 
-def draw(folder, picture):
-    on, off = read(folder / "with.csv"), read(folder / "without.csv")
-    plt.rcParams.update({"font.size": 10, "axes.spines.top": False, "axes.spines.right": False})
+def draw(folder):
+    on, off = columns(folder / "with.csv"), columns(folder / "without.csv")
     figure, (mass, error, limit) = plt.subplots(3, 1, figsize=(7.2, 7.2), sharex=True, constrained_layout=True)
     estimated = on["mass_std"] != on["mass_std"][0]  # not the prior any more
     mass.fill_between(on["t"], on["mass"] - 2 * on["mass_std"], on["mass"] + 2 * on["mass_std"], where=estimated,
@@ -47,8 +32,8 @@ def draw(folder, picture):
     mass.plot(on["t"], on["m"], color="black", linestyle="--", linewidth=1, label="truth")
     mass.set_ylim(-0.1, 1.25 * on["m"].max())
     mass.set_ylabel("mass in the hand [kg]")
-    mass.legend(frameon=False, loc="upper left")
-    mass.set_title("a basket and two objects come and go (pushes in grey)", loc="left")
+    mass.legend(loc="upper left")
+    mass.set_title("a basket and two objects come and go (pushes in grey)")
 
     for axis, name, scale, label in ((error, "error", 1e3, "position error [mm]"),
                                      (limit, "limit", 1, "distance to the nearest\njoint limit [rad]")):
@@ -56,7 +41,7 @@ def draw(folder, picture):
         axis.plot(on["t"], scale * on[name], color=WITH, label="with the estimator")
         axis.set_ylabel(label)
     error.set_ylim(bottom=0)
-    error.legend(frameon=False, loc="upper right")
+    error.legend(loc="upper right")
     limit.set_ylim(-0.01, 1.05 * max(on["limit"].max(), off["limit"].max()))
     limit.axhspan(-0.01, 0, color=FORBIDDEN, zorder=0)
     limit.set_xlabel("time [s]")
@@ -64,19 +49,8 @@ def draw(folder, picture):
         for begin, end in spans(on["t"], on["push"] > 0):
             axis.axvspan(begin, end, color=PUSH, linewidth=0, zorder=0)
         axis.set_xlim(0, on["t"][-1])
-    figure.savefig(picture, dpi=150)
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("picture", type=pathlib.Path, nargs="?")
-    arguments = parser.parse_args()
-    try:
-        draw(arguments.folder, arguments.picture or arguments.folder / "sequential_interaction.png")
-    except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"plot.py: {error}")
+    return figure
 
 
 if __name__ == "__main__":
-    main()
+    main(__doc__.splitlines()[0], draw)
