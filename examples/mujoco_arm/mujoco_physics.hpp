@@ -1,5 +1,6 @@
 #pragma once
 /// MuJoCo behind the Physics interface: the same arm, moved by dynamics that we did not write.
+#include <cstddef>
 #include <mujoco_arm/mjcf.hpp>
 
 namespace rme::examples {
@@ -26,7 +27,7 @@ class MujocoPhysics final : public Physics<Dofs> {
   MujocoModel model_;
   MujocoData data_, scratch_;
   RigidBody welded_;
-  int payload_, flange_;  // body numbers
+  std::ptrdiff_t payload_, flange_;  // body numbers
 };
 
 extern template class MujocoPhysics<6>;

@@ -10,10 +10,10 @@ namespace rme::examples {
 
 Picture Picture::halved() const {
   Picture half(width_ / 2, height_ / 2);
-  for (int y = 0; y < half.height_; ++y) {
-    for (int x = 0; x < half.width_; ++x) {
+  for (std::size_t y = 0; y < half.height_; ++y) {
+    for (std::size_t x = 0; x < half.width_; ++x) {
       std::array<int, 3> sum{};
-      for (const auto& [dx, dy] : {std::array{0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
+      for (const auto& [dx, dy] : {std::array<std::size_t, 2>{0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
         const Rgb& pixel = at(2 * x + dx, 2 * y + dy);
         sum[0] += pixel.red;
         sum[1] += pixel.green;
@@ -29,9 +29,9 @@ Picture Picture::halved() const {
 Picture Picture::beside(const Picture& right) const {
   if (right.height_ != height_) throw std::invalid_argument("Picture::beside: another height");
   Picture both(width_ + right.width_, height_);
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) both.at(x, y) = at(x, y);
-    for (int x = 0; x < right.width_; ++x) both.at(width_ + x, y) = right.at(x, y);
+  for (std::size_t y = 0; y < height_; ++y) {
+    for (std::size_t x = 0; x < width_; ++x) both.at(x, y) = at(x, y);
+    for (std::size_t x = 0; x < right.width_; ++x) both.at(width_ + x, y) = right.at(x, y);
   }
   return both;
 }
@@ -50,9 +50,9 @@ void Picture::write_png(const std::string& path) const {
     return number(data.size()) + body + number(crc32(0, bytes, static_cast<uInt>(body.size())));
   };
   std::string rows;
-  for (int y = 0; y < height_; ++y) {
+  for (std::size_t y = 0; y < height_; ++y) {
     rows.push_back(0);
-    for (int x = 0; x < width_; ++x)
+    for (std::size_t x = 0; x < width_; ++x)
       for (const std::uint8_t value : {at(x, y).red, at(x, y).green, at(x, y).blue})
         rows.push_back(static_cast<char>(value));
   }
@@ -63,7 +63,7 @@ void Picture::write_png(const std::string& path) const {
     throw std::runtime_error(path + ": cannot be compressed");
   packed.resize(size);
   const std::string format = {8, 2, 0, 0, 0};  // 8 bits of each of three colours
-  const std::string header = number(static_cast<std::size_t>(width_)) + number(static_cast<std::size_t>(height_));
+  const std::string header = number(width_) + number(height_);
   std::ofstream file(path, std::ios::binary);
   file << "\x89PNG\r\n\x1a\n" << chunk("IHDR", header + format) << chunk("IDAT", packed) << chunk("IEND", "");
   if (!file.flush()) throw std::runtime_error("cannot write " + path);

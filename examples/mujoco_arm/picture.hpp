@@ -1,5 +1,6 @@
 #pragma once
 /// A picture in memory, and the PNG file that it becomes.
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,13 +14,12 @@ struct Rgb {
 /// Pixels by rows, the top row first.
 class Picture {
  public:
-  Picture(int width, int height)
-      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+  Picture(std::size_t width, std::size_t height) : width_(width), height_(height), pixels_(width * height) {}
 
-  int width() const { return width_; }
-  int height() const { return height_; }
-  Rgb& at(int x, int y) { return pixels_[static_cast<std::size_t>(y * width_ + x)]; }
-  const Rgb& at(int x, int y) const { return pixels_[static_cast<std::size_t>(y * width_ + x)]; }
+  std::size_t width() const { return width_; }
+  std::size_t height() const { return height_; }
+  Rgb& at(std::size_t x, std::size_t y) { return pixels_[y * width_ + x]; }
+  const Rgb& at(std::size_t x, std::size_t y) const { return pixels_[y * width_ + x]; }
 
   /// Half as wide and high, each pixel the mean of four: what was drawn sharp comes out smooth.
   Picture halved() const;
@@ -29,7 +29,7 @@ class Picture {
   void write_png(const std::string& path) const;
 
  private:
-  int width_, height_;
+  std::size_t width_, height_;
   std::vector<Rgb> pixels_;
 };
 

@@ -26,9 +26,9 @@ namespace {
 using namespace rme::examples;
 using Vector = rme::JointVector<double, 7>;
 
-constexpr int kWidth = 1280, kHeight = 1120;  // of one arm's view, before it is halved [pixels]
+constexpr std::size_t kWidth = 1280, kHeight = 1120;  // of one arm's view, before it is halved [pixels]
 constexpr Rgb kOutline = {0, 114, 178};
-constexpr int kStroke = 3;  // of the outline, half of it [pixels]
+constexpr std::size_t kStroke = 3;  // of the outline, half of it [pixels]
 
 constexpr const char* kUsage = R"(usage: rme_render_arm DIR [options]
 
@@ -111,31 +111,28 @@ class Renderer {
   Picture draw(const Vector& start, const Vector& end) {
     Picture picture = render(end);
     const std::vector<bool> shape = silhouette(start);
-    const auto inside = [&](int x, int y) {
-      x = std::clamp(x, 0, kWidth - 1);
-      y = std::clamp(y, 0, kHeight - 1);
-      return shape[static_cast<std::size_t>(y * kWidth + x)];
+    const auto is_edge = [&](std::size_t x, std::size_t y) {
+      const auto apart = [](std::size_t a, std::size_t b) { return static_cast<double>(a) - static_cast<double>(b); };
+      for (std::size_t v = y - kStroke; v <= y + kStroke; ++v)
+        for (std::size_t u = x - kStroke; u <= x + kStroke; ++u)
+          if (shape[v * kWidth + u] != shape[y * kWidth + x] && std::hypot(apart(u, x), apart(v, y)) <= kStroke)
+            return true;
+      return false;
     };
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
-        bool edge = false;
-        for (int dy = -kStroke; dy <= kStroke && !edge; ++dy)
-          for (int dx = -kStroke; dx <= kStroke && !edge; ++dx)
-            edge = dx * dx + dy * dy <= kStroke * kStroke && inside(x + dx, y + dy) != inside(x, y);
-        if (edge) picture.at(x, y) = kOutline;
-      }
-    }
+    for (std::size_t y = kStroke; y < kHeight - kStroke; ++y)
+      for (std::size_t x = kStroke; x < kWidth - kStroke; ++x)
+        if (is_edge(x, y)) picture.at(x, y) = kOutline;
     return picture.halved();
   }
 
  private:
-  static constexpr mjrRect kView = {0, 0, kWidth, kHeight};
+  static constexpr mjrRect kView = {0, 0, static_cast<int>(kWidth), static_cast<int>(kHeight)};
 
   /// @param surroundings  with floor, sky and payload; else the arm alone, before nothing
   void show(const Vector& q, bool surroundings) {
     std::copy(q.begin(), q.end(), data_->qpos);
     mj_forward(model_.get(), data_.get());
-    for (const int shape : {payload_, rod_}) model_->geom_rgba[4 * shape + 3] = surroundings ? 1 : 0;
+    for (const std::ptrdiff_t shape : {payload_, rod_}) model_->geom_rgba[4 * shape + 3] = surroundings ? 1 : 0;
     mjvOption option;
     mjv_defaultOption(&option);
     option.geomgroup[1] = surroundings;
@@ -157,9 +154,9 @@ class Renderer {
     std::vector<unsigned char> colours(3 * kWidth * kHeight);
     mjr_readPixels(colours.data(), nullptr, kView, &context_);
     Picture picture(kWidth, kHeight);
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
-        const unsigned char* pixel = &colours[static_cast<std::size_t>(3 * ((kHeight - 1 - y) * kWidth + x))];
+    for (std::size_t y = 0; y < kHeight; ++y) {
+      for (std::size_t x = 0; x < kWidth; ++x) {
+        const unsigned char* pixel = &colours[3 * ((kHeight - 1 - y) * kWidth + x)];
         picture.at(x, y) = {pixel[0], pixel[1], pixel[2]};
       }
     }
@@ -177,7 +174,7 @@ class Renderer {
 
   MujocoModel model_;
   MujocoData data_;
-  int payload_, rod_;  // numbers of these shapes
+  std::ptrdiff_t payload_, rod_;  // numbers of these shapes
   mjvScene scene_;
   mjrContext context_;
 };

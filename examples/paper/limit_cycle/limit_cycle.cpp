@@ -79,7 +79,8 @@ Outcome run_trial(const Setup& setup, const PublishedTrial& payload, std::uint64
   Outcome outcome;
   bool attached = false;
   double last_angle = 0;
-  for (double t = -attach; t < 2 * kTurn; t = trial.arm.time() - attach) {
+  while (trial.arm.time() - attach < 2 * kTurn) {
+    const double t = trial.arm.time() - attach;
     if (!attached && t > -kPeriod / 2) attached = trial.arm.attach(experiment_payload(payload.mass, payload.com)) > 0;
     const CyclePoint at{trial.position_error()};
     const double distance = at.distance();
