@@ -418,7 +418,7 @@ void Estimator<Scalar, Dofs, PriorSource>::make_early_estimate() noexcept {
   steady_ = likely ? steady_ + ticks_of(config_.refresh) : 0;
   if (average.empty() || verdict_.log_odds() < 0) {
     latest_ = known_;
-  } else if (likely && (sharp || steady_ >= gentle)) {
+  } else if (likely && (sharp || steady_ >= gentle || !latest_.final)) {  // one of this event was believed: go on
     using std::exp;
     store(latest_, average.moments(), verdict_.is_empty(), false);
     latest_.window_begin = time() - static_cast<double>(sums.count()) * dt_;

@@ -1,32 +1,17 @@
 #!/usr/bin/env python3
-"""Draws what rme_calibration --output DIR has written: DIR/calibration.png.
-
-    python3 plot.py DIR [PICTURE]
+"""Draws what rme_calibration --output DIR has written.
 
 Above, the rank histogram of each parameter, with the band in which 99 % of the bars of an honest posterior lie; below,
 how often intervals of every level hold the truth.
 """
-import argparse
-import csv
 import math
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment"))
+from plotting import COLOURS, main, plt, read
 
 PARAMETERS = ("mass", "x", "y", "z")
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")
-
-
-def read(path):
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
-    if not rows:
-        raise ValueError(f"{path}: no rows")
-    return rows
 
 
 def coverage(events, parameter):
@@ -37,10 +22,9 @@ def coverage(events, parameter):
     return [0] + levels + [1], [i / len(levels) for i in range(len(levels) + 1)] + [1]
 
 
-def draw(folder, picture):
+def draw(folder):
     events, ranks = read(folder / "events.csv"), read(folder / "ranks.csv")
     presets = list(dict.fromkeys(row["preset"] for row in ranks))
-    plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False})
     figure, axes = plt.subplots(2, 4, figsize=(10, 5), constrained_layout=True, squeeze=False)
     for column, parameter in enumerate(PARAMETERS):
         above, below = axes[:, column]
@@ -53,27 +37,16 @@ def draw(folder, picture):
         above.axhspan(float(bars[0]["least"]), float(bars[0]["most"]), color="#e8e8e8", linewidth=0,
                       zorder=0)
         above.set_ylim(bottom=0)
-        above.set_title(parameter, loc="left")
+        above.set_title(parameter)
         above.set_xlabel("rank of the truth")
         below.plot([0, 1], [0, 1], color="grey", linestyle=":", linewidth=1)
         below.set_aspect("equal")
         below.set_xlabel("level of the interval")
     axes[0, 0].set_ylabel("events")
     axes[1, 0].set_ylabel("holds the truth")
-    axes[1, 0].legend(frameon=False, loc="lower right")
-    figure.savefig(picture, dpi=150)
-
-
-def main():
-    parser = argparse.ArgumentParser(description="Draws what rme_calibration has written.")
-    parser.add_argument("folder", type=pathlib.Path, help="what was given to --output")
-    parser.add_argument("picture", type=pathlib.Path, nargs="?", help="file to write (default: calibration.png there)")
-    arguments = parser.parse_args()
-    try:
-        draw(arguments.folder, arguments.picture or arguments.folder / "calibration.png")
-    except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"plot.py: {error}")
+    axes[1, 0].legend(loc="lower right")
+    return figure
 
 
 if __name__ == "__main__":
-    main()
+    main(__doc__.splitlines()[0], draw)

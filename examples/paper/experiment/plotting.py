@@ -8,6 +8,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import numpy as np
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
@@ -33,15 +34,26 @@ def column(rows, name):
     return [row[name] for row in rows]
 
 
+def columns(path):
+    """A CSV file of numbers as arrays by name."""
+    rows = read(path)
+    return {name: np.array(column(rows, name)) for name in rows[0]}
+
+
 def main(description, draw):
-    """plot.py DIR PICTURE: draws what a program has written to DIR with --output."""
+    """plot.py DIR [PICTURE]: draws what an experiment has written to DIR with --output.
+
+    draw(DIR) gives the figure. PICTURE is DIR/<experiment>.png unless said.
+    """
+    name = pathlib.Path(sys.argv[0]).resolve().parent.name
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("folder", type=pathlib.Path, metavar="DIR")
-    parser.add_argument("picture", type=pathlib.Path, metavar="PICTURE")
+    parser.add_argument("picture", type=pathlib.Path, metavar="PICTURE", nargs="?")
     arguments = parser.parse_args()
+    picture = arguments.picture or arguments.folder / f"{name}.png"
     try:
         figure = draw(arguments.folder)
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"{parser.prog}: {error}")
-    arguments.picture.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(arguments.picture, dpi=110, metadata={"Software": None})
+    picture.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(picture, dpi=110, metadata={"Software": None})

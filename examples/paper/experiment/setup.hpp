@@ -11,6 +11,7 @@
 namespace rme::examples {
 
 constexpr double kPeriod = 1e-3;  // of the control loop [s]
+constexpr double kPi = 3.14159265358979323846;
 
 /// One row of the paper's Table 2: a payload, and what the published system made of it on the real arm.
 struct PublishedTrial {

@@ -22,10 +22,13 @@ class Trial {
         config_(host_config),
         compensate_(compensate) {}
 
-  /// Estimator, controller, then the arm's next millisecond. What the members say afterwards belongs to the new time
-  /// but for the host's, which is of the tick before.
+  /// Estimator, then controller, at the present time.
+  /// @return the torque to command [N m]
   /// @throws std::runtime_error if the estimator or the controller refuses a sample: here that is a bug
-  void tick();
+  const Vector& command();
+  /// The same, then the arm's next millisecond. What the members say afterwards belongs to the new time but for the
+  /// host's, which is of the tick before.
+  void tick() { arm.step(command()); }
 
   Eigen::Vector3d position_error() const { return arm.kinematics().position - config_.target; }  // world axes [m]
   /// [rad]

@@ -1,0 +1,219 @@
+// limit_cycle: the arm turns on a circle in the y-z plane under CPIC, and a payload is attached while it moves.
+//
+// The weight acts in the plane of the cycle. Where it exceeds the force that drives the arm round, lambda_1 w r = 6 N,
+// the sum of both has a stable equilibrium: without the estimator the arm stops there, in a spurious attractor. Lighter
+// payloads let it turn on, off the cycle. With the estimator it returns to the cycle. Gains and speed are the defaults
+// of LimitCycle and PassiveController: 60 and 90 N s/m, 2 1/s, 1 rad/s.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "paper/experiment/report.hpp"
+#include "paper/experiment/trial.hpp"
+
+namespace {
+
+using namespace rme::examples;
+using Eigen::Vector3d, Eigen::Vector4d;
+
+constexpr double kRadius = 0.1;      // [m]
+constexpr double kTarget = 0.005;    // distance to the cycle that counts as being on it [m]
+constexpr double kAllowance = 1e-3;  // on that of the empty hand, with friction [m]
+constexpr double kAtRest = 0.005;    // slower than this over the last second, the arm has stopped [m/s]
+const double kTurn = 2 * kPi / rme::LimitCycleConfig<double>().angular_speed;  // [s]
+
+constexpr double kShown = 1.1;  // payload of the two CSV files that follow a path [kg]
+constexpr const char* kPathColumns = "t,y,z,distance,m,mass";
+
+constexpr const char* kUsage = R"(usage: rme_limit_cycle [options]
+
+The arm turns on a cycle and a payload of Table 2 is attached while it moves, with the estimator and without.
+
+  --trials N        of each payload (default 4; 1 of two payloads with --quick)
+)";
+
+constexpr const char* kExitCodes = R"(
+Exit codes: 0 every payload is found and, with the estimator, the mean distance to the cycle in the turn that begins one
+turn after the attach is at most 5 mm (with --friction, which takes the empty hand off the cycle as well: at most 1 mm
+more than before the attach); 1 otherwise; 2 unusable arguments.
+)";
+
+/// Where the flange is, seen from the cycle.
+struct CyclePoint {
+  Vector3d offset;  // from the centre, world axes [m]
+  double distance() const { return std::hypot(offset.x(), offset.tail<2>().norm() - kRadius); }
+  double angle() const { return std::atan2(offset.z(), offset.y()); }
+};
+
+/// What the flange did in one turn's time.
+struct Turn {
+  double mean = 0, worst = 0;  // distance to the cycle [m]
+  double progress = 0;         // angle covered, in turns: 1 if the phase keeps up
+};
+
+struct Outcome {
+  std::array<Turn, 3> turns;             // before the attach, from it on, and after that
+  double outside = 0;                    // last time after the attach that the distance exceeded kTarget [s]
+  double last_speed = 0;                 // mean over the last second [m/s]
+  std::optional<double> noticed, found;  // first early estimate, first final one, after the attach [s]
+  Vector4d error = Vector4d::Zero();     // of the latter
+
+  // A path that crosses the cycle does not stay for the last half of a turn.
+  bool returned() const { return outside < 1.5 * kTurn; }
+  bool at_rest() const { return last_speed < kAtRest; }
+};
+
+Outcome run_trial(const Setup& setup, const PublishedTrial& payload, std::uint64_t number, bool compensate,
+                  CsvFile* csv) {
+  std::mt19937_64 random(setup.seed * 7919 + number);
+  std::normal_distribution<double> spread(0, 0.1);
+  Trial::Vector q = panda().ready;
+  for (double& angle : q) angle += spread(random);
+  const double attach = kTurn * (1.5 + std::uniform_real_distribution<double>()(random));
+  HostConfig host = HostConfig::hold(panda(), q);
+  host.cycle_radius = kRadius;
+  host.target.y() -= kRadius;  // it starts on the cycle
+  Trial trial(setup.arm(number), host, q, compensate);
+
+  Outcome outcome;
+  bool attached = false;
+  double last_angle = 0;
+  while (trial.arm.time() - attach < 2 * kTurn) {
+    const double t = trial.arm.time() - attach;
+    if (!attached && t > -kPeriod / 2) attached = trial.arm.attach(experiment_payload(payload.mass, payload.com)) > 0;
+    const CyclePoint at{trial.position_error()};
+    const double distance = at.distance();
+    if (t >= -kTurn) {
+      Turn& turn = outcome.turns[static_cast<std::size_t>(std::floor(t / kTurn) + 1)];
+      turn.mean += distance * kPeriod / kTurn;
+      turn.worst = std::max(turn.worst, distance);
+      turn.progress += std::remainder(at.angle() - last_angle, 2 * kPi) / (2 * kPi);
+    }
+    last_angle = at.angle();
+    if (attached && distance > kTarget) outcome.outside = t;
+    if (t > 2 * kTurn - 1)
+      outcome.last_speed += kPeriod * (trial.arm.kinematics().jacobian.topRows<3>() * trial.arm.dq()).norm();
+    if (csv && std::lround(trial.arm.time() / kPeriod) % 10 == 0)
+      csv->row(t, at.offset.y(), at.offset.z(), distance, trial.arm.payload().mass,
+               trial.estimator.estimate().posterior.mean[0]);
+    trial.tick();
+    if (!attached) continue;
+    if (trial.estimator.refreshed() && !outcome.noticed) outcome.noticed = t;
+    if (trial.estimator.estimated() && !outcome.found) {
+      outcome.found = t;
+      outcome.error = trial.estimator.estimate().posterior.mean;
+      outcome.error[0] -= payload.mass;
+      outcome.error.tail<3>() -= payload.com;
+    }
+  }
+  return outcome;
+}
+
+/// All trials of a payload, with the estimator or without.
+struct Summary {
+  double trials = 0;
+  std::array<Turn, 3> turns;          // means over the trials, and the worst of all
+  double outside = 0;                 // the longest, of the trials that returned [s]
+  double noticed = 0, found = 0;      // the latest of all trials [s]
+  Vector4d error = Vector4d::Zero();  // mean absolute
+  int returned = 0, at_rest = 0, missed = 0;
+
+  explicit Summary(const std::vector<Outcome>& outcomes) : trials(static_cast<double>(outcomes.size())) {
+    for (const Outcome& outcome : outcomes) {
+      for (std::size_t i = 0; i < turns.size(); ++i) {
+        turns[i].mean += outcome.turns[i].mean / trials;
+        turns[i].worst = std::max(turns[i].worst, outcome.turns[i].worst);
+        turns[i].progress += outcome.turns[i].progress / trials;
+      }
+      returned += outcome.returned();
+      at_rest += outcome.at_rest();
+      missed += !outcome.found;
+      if (outcome.returned()) outside = std::max(outside, outcome.outside);
+      noticed = std::max(noticed, outcome.noticed.value_or(0));
+      found = std::max(found, outcome.found.value_or(0));
+      error += outcome.error.cwiseAbs();
+    }
+    error /= std::max(1.0, trials - missed);
+  }
+  std::string back() const {
+    if (returned == 0) return "never";
+    return text("%.2f", outside) + (returned < trials ? text("; %.0f never", trials - returned) : "");
+  }
+};
+
+int run(Arguments& arguments) {
+  const Setup setup = Setup::parse(arguments);
+  const double count = arguments.number("--trials").value_or(setup.quick ? 1 : 4);
+  if (!(count >= 1 && count <= 1000 && count == std::floor(count)))
+    throw ArgumentError("--trials: must be a whole number from 1 to 1000");
+  arguments.finish();
+  const auto trials = static_cast<std::size_t>(count);
+  std::vector<PublishedTrial> payloads(published_trials().begin(), published_trials().end());
+  if (setup.quick) payloads = {payloads[1], payloads[4]};
+
+  CsvFile csv(setup.output, "trials.csv",
+              "m,trial,estimator,mean_before,mean_attach,mean_after,worst_before,worst_attach,worst_after,progress,"
+              "outside,last_speed,noticed,found,m_error,x_error,y_error,z_error");
+  CsvFile path_without(setup.output, "without.csv", kPathColumns), path_with(setup.output, "with.csv", kPathColumns);
+  MarkdownTable cycle({"payload [kg]", "estimator", "turn before [mm]", "turn of the attach [mm]", "turn after [mm]",
+                       "progress [turns]", "stopped", "back after [s]"});
+  MarkdownTable estimates(
+      {"payload [kg]", "carried after [s]", "final after [s]", "mass [g]", "x [mm]", "y [mm]", "z [mm]"});
+  std::uint64_t number = 0;
+  int missed = 0;
+  bool kept = true;
+  for (const PublishedTrial& payload : payloads) {
+    const std::string name = text("%.3f", payload.mass);
+    std::array<std::vector<Outcome>, 2> outcomes;  // without and with
+    for (std::size_t k = 0; k < trials; ++k) {
+      ++number;
+      const bool shown = k == 0 && payload.mass == kShown;
+      for (const bool estimator : {false, true}) {
+        CsvFile* path = shown ? (estimator ? &path_with : &path_without) : nullptr;
+        const Outcome o = run_trial(setup, payload, number, estimator, path);
+        outcomes[estimator ? 1 : 0].push_back(o);
+        const auto& [before, attach, after] = o.turns;
+        csv.row(payload.mass, k, estimator, before.mean, attach.mean, after.mean, before.worst, attach.worst,
+                after.worst, after.progress, o.outside, o.last_speed, o.noticed.value_or(-1), o.found.value_or(-1),
+                o.error[0], o.error[1], o.error[2], o.error[3]);
+      }
+      progress("limit_cycle", number, trials * payloads.size());
+    }
+    for (const bool estimator : {false, true}) {
+      const Summary all(outcomes[estimator ? 1 : 0]);
+      std::vector<std::string> cells = {name, estimator ? "with" : "without"};
+      for (const Turn& turn : all.turns) cells.push_back(text("%.1f; %.1f", 1e3 * turn.mean, 1e3 * turn.worst));
+      cells.push_back(text("%.2f", all.turns[2].progress));
+      cells.push_back(text("%d of %.0f", all.at_rest, all.trials));
+      cells.push_back(all.back());
+      cycle.row(cells);
+      if (!estimator) continue;
+      missed += all.missed;
+      const double allowed = setup.friction ? all.turns[0].mean + kAllowance : kTarget;
+      kept = kept && all.turns[2].mean <= allowed;
+      estimates.row({name, text("%.3f", all.noticed), text("%.2f", all.found), text("%.1f", 1e3 * all.error[0]),
+                     text("%.1f", 1e3 * all.error[1]), text("%.1f", 1e3 * all.error[2]),
+                     text("%.1f", 1e3 * all.error[3])});
+    }
+  }
+
+  std::printf("%s, %zu trial(s) of each payload, seed %llu. A cycle of %.0f mm radius in %.1f s.\n\n",
+              setup.name().c_str(), trials, static_cast<unsigned long long>(setup.seed), 1e3 * kRadius, kTurn);
+  std::printf(
+      "Distance to the cycle: mean over the turn; worst. Progress in the turn after, 1 if the phase keeps up.\n"
+      "Stopped: slower than %.0f mm/s in the end. Back: below %.0f mm from then to the end, for half a turn at least;\n"
+      "the longest of all trials, 0 if it never was above.\n\n",
+      1e3 * kAtRest, 1e3 * kTarget);
+  cycle.print();
+  std::printf("Estimates on the moving arm: the latest of all trials; mean absolute error of the final ones.\n\n");
+  estimates.print();
+  std::printf("Payloads not found: %d of %llu.\n\n", missed, static_cast<unsigned long long>(number));
+  return kept && missed == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("rme_limit_cycle", (std::string(kUsage) + Setup::kUsage + kExitCodes).c_str(), argc, argv, run);
+}

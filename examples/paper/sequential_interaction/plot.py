@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Draws what rme_sequential_interaction --output DIR has written.
+
+From above: the mass estimate against the truth, the position error, the distance of the nearest joint to its limit,
+with the estimator and without. Pushes are shaded.
+"""
+import pathlib
+import sys
+
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment"))
+from plotting import columns, main, plt
+
+WITH, WITHOUT, PUSH, FORBIDDEN = "#0072b2", "#d55e00", "#e8e8e8", "#f6d5d5"
+
+
+def spans(t, active):
+    """(begin, end) of each time that something was going on [s]."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], active, [False]]).astype(int)))
+    t = np.append(t, t[-1])
+    return [(t[a], t[b]) for a, b in edges.reshape(-1, 2)]
+
+
+def draw(folder):
+    on, off = columns(folder / "with.csv"), columns(folder / "without.csv")
+    figure, (mass, error, limit) = plt.subplots(3, 1, figsize=(7.2, 7.2), sharex=True, constrained_layout=True)
+    estimated = on["mass_std"] != on["mass_std"][0]  # not the prior any more
+    mass.fill_between(on["t"], on["mass"] - 2 * on["mass_std"], on["mass"] + 2 * on["mass_std"], where=estimated,
+                      color=WITH, alpha=0.3, linewidth=0)
+    mass.plot(on["t"], on["mass"], color=WITH, label="estimate, 2 std. dev.")
+    mass.plot(on["t"], on["m"], color="black", linestyle="--", linewidth=1, label="truth")
+    mass.set_ylim(-0.1, 1.25 * on["m"].max())
+    mass.set_ylabel("mass in the hand [kg]")
+    mass.legend(loc="upper left")
+    mass.set_title("a basket and two objects come and go (pushes in grey)")
+
+    for axis, name, scale, label in ((error, "error", 1e3, "position error [mm]"),
+                                     (limit, "limit", 1, "distance to the nearest\njoint limit [rad]")):
+        axis.plot(off["t"], scale * off[name], color=WITHOUT, label="without the estimator")
+        axis.plot(on["t"], scale * on[name], color=WITH, label="with the estimator")
+        axis.set_ylabel(label)
+    error.set_ylim(bottom=0)
+    error.legend(loc="upper right")
+    limit.set_ylim(-0.01, 1.05 * max(on["limit"].max(), off["limit"].max()))
+    limit.axhspan(-0.01, 0, color=FORBIDDEN, zorder=0)
+    limit.set_xlabel("time [s]")
+    for axis in (mass, error, limit):
+        for begin, end in spans(on["t"], on["push"] > 0):
+            axis.axvspan(begin, end, color=PUSH, linewidth=0, zorder=0)
+        axis.set_xlim(0, on["t"][-1])
+    return figure
+
+
+if __name__ == "__main__":
+    main(__doc__.splitlines()[0], draw)

@@ -1,0 +1,291 @@
+// sequential_interaction: a basket is hung on the arm, two objects are put in and taken out again, the basket is taken
+// off, and after each of these somebody pushes the arm. Is every change of the payload found, no push taken for one,
+// and does the arm stay where it should? Without the estimator it sinks until a joint limit holds it.
+//
+// The arm holds a low pose near its base, 0.13 rad from the lower limit of joint 4, under CPIC. Two of the hand-overs
+// take half a second. Pushes are 5 to 15 N for 0.5 to 1.5 s, within 45 degrees of the horizontal: straight down, a push
+// on the flange is what a payload is.
+#include <algorithm>
+#include <cmath>
+#include <cpic_host/energy_books.hpp>
+#include <cstdio>
+#include <random>
+
+#include "paper/experiment/report.hpp"
+#include "paper/experiment/trial.hpp"
+
+namespace {
+
+using namespace rme::examples;
+using Eigen::Vector3d;
+
+constexpr double kJudged = 1.5;                // after a change begins [s]
+constexpr double kTarget = 0.006;              // position error then [m]
+constexpr double kFound = 0.1;                 // an estimate this near to the truth has found the change [kg]
+const double kHeld = 2 * HostConfig().margin;  // this near to its limit, a joint is held by its barrier [rad]
+constexpr double kSlow = 0.5;                  // hand-over [s]
+constexpr double kBetween = 10;                // from one change to the next [s]
+const Trial::Vector kPose = (Trial::Vector() << 0, -0.93, 0, -2.94, 0, 2.02, 0.785).finished();  // [rad]
+
+constexpr const char* kUsage = R"(usage: rme_sequential_interaction [options]
+
+A basket and two objects come and go, a person pushes in between, with the estimator and without.
+
+  --runs N          through the whole sequence (default 5; 1 of them, without object 2, with --quick)
+)";
+
+constexpr const char* kExitCodes = R"(
+Exit codes: 0 with the estimator every change is found, no push is taken for a payload, joint limits are kept, and the
+position error 1.5 s after each change is at most 6 mm (with --friction, which holds the arm back anywhere, it is only
+reported); 1 otherwise; 2 unusable arguments.
+)";
+
+struct Item {
+  double mass;   // [kg]
+  Vector3d com;  // flange axes [m]
+};
+const std::array<Item, 3> kItems = {{
+    {0.4, {0.00, 0.00, 0.08}},   // the basket
+    {0.6, {0.03, 0.02, 0.12}},   // object 1
+    {0.4, {-0.04, 0.01, 0.10}},  // object 2
+}};
+
+/// Something comes into the hand or leaves it.
+struct Change {
+  const char* name;
+  std::size_t item;
+  bool attach;
+  double ramp;       // [s]
+  double start = 0;  // [s]
+  Push push = {};    // what follows it
+};
+
+/// The same changes each time; when, and what pushes follow, is drawn. Without object 2 if it has to be quick.
+std::vector<Change> draw_script(std::mt19937_64& random, bool quick) {
+  std::vector<Change> script = {{"basket attached", 0, true, 0},   {"object 1 added, slowly", 1, true, kSlow},
+                                {"object 2 added", 2, true, 0},    {"object 2 removed, slowly", 2, false, kSlow},
+                                {"object 1 removed", 1, false, 0}, {"basket removed", 0, false, 0}};
+  if (quick) script.erase(script.begin() + 2, script.begin() + 4);
+  std::uniform_real_distribution<double> uniform;
+  double t = 2;
+  for (Change& change : script) {
+    change.start = t + 0.5 * uniform(random);
+    const double heading = 2 * kPi * uniform(random), slope = kPi / 4 * (2 * uniform(random) - 1);
+    const Vector3d direction(std::cos(slope) * std::cos(heading), std::cos(slope) * std::sin(heading), std::sin(slope));
+    const double force = 5 + 10 * uniform(random), duration = 0.5 + uniform(random);
+    change.push = {change.start + 3 + 0.5 * uniform(random), 0.15, duration - 0.3, force * direction};
+    t += kBetween;
+  }
+  return script;
+}
+
+/// Of the joint that is next to its mechanical limit [rad].
+double distance_to_limit(const SyntheticArm<7>& arm) {
+  return std::min((panda().q_max - arm.q()).minCoeff(), (arm.q() - panda().q_min).minCoeff());
+}
+
+/// What was made of a change, until somebody pushes.
+struct Finding {
+  double truth = 0;                      // mass of all that is in the hand [kg]
+  double mass = 0, deviation = 0;        // of the latest final estimate [kg]
+  std::optional<double> carried, final;  // first early estimate, first final one, after the change began [s]
+  double position = 0;                   // position error kJudged after that [m]
+  double limit = 10;                     // least distance of a joint to its limit [rad]
+
+  void update(const Trial& trial, double t) {
+    truth = trial.arm.payload().mass;
+    if (trial.estimator.refreshed() && !carried) carried = t;
+    if (trial.estimator.estimated()) {
+      if (!final) final = t;
+      mass = trial.estimator.estimate().posterior.mean[0];
+      deviation = trial.estimator.estimate().posterior.standard_deviation()[0];
+    }
+    if (t < kJudged + kPeriod / 2) position = trial.position_error().norm();
+    limit = std::min(limit, distance_to_limit(trial.arm));
+  }
+  bool found() const { return final && std::abs(mass - truth) < kFound; }
+};
+
+/// What was made of a push, from its start to the next change.
+struct Endurance {
+  int mistakes = 0;   // final estimates that are not what is in the hand
+  int again = 0;      // and those that are: a tilted arm tells more of the centre of mass
+  double lifted = 0;  // most of it that was carried as if it were a payload [kg]
+  double work = 0;    // of the person on the arm [J]
+  double gain = 0;    // largest rise of stored minus supplied energy [J]
+  double limit = 10;  // least distance of a joint to its limit [rad]
+
+  explicit Endurance(double mass) : mass_(mass) {}
+  void update(const Trial& trial, const Vector3d& force) {
+    const auto& estimate = trial.estimator.estimate();
+    if (trial.estimator.estimated())
+      ++(std::abs(estimate.posterior.mean[0] - trial.arm.payload().mass) < kFound ? again : mistakes);
+    lifted = std::max(lifted, std::abs(estimate.confidence * (estimate.posterior.mean[0] - mass_)));
+    work += kPeriod * force.dot(trial.arm.kinematics().jacobian.topRows<3>() * trial.arm.dq());
+    books_.update(trial.arm, trial.host, force);
+    lowest_ = std::min(lowest_, books_.residual());
+    gain = std::max(gain, books_.residual() - lowest_);
+    limit = std::min(limit, distance_to_limit(trial.arm));
+  }
+
+ private:
+  EnergyBooks books_{kPeriod};
+  double mass_;        // of the estimate when the push began [kg]
+  double lowest_ = 0;  // of the books' residual [J]
+};
+
+/// One run through the script.
+struct Outcome {
+  std::vector<Finding> findings;
+  std::vector<Endurance> endurances;
+};
+
+Outcome run_sequence(const Setup& setup, std::uint64_t number, bool compensate, CsvFile* csv) {
+  std::mt19937_64 random(setup.seed * 7919 + number);
+  std::normal_distribution<double> spread(0, 0.03);
+  Trial::Vector q = kPose;
+  for (double& angle : q) angle += spread(random);
+  const std::vector<Change> script = draw_script(random, setup.quick);
+  Trial trial(setup.arm(number), HostConfig::hold(panda(), q), q, compensate);
+  SyntheticArm<7>& arm = trial.arm;
+
+  const auto tick = [&](const Vector3d& force, const auto& observe) {
+    arm.push({force, Vector3d::Zero()});
+    const Trial::Vector torque = trial.command();
+    observe();
+    if (csv && std::lround(arm.time() / kPeriod) % 20 == 0) {
+      const auto& posterior = trial.estimator.estimate().posterior;
+      csv->row(arm.time(), arm.payload().mass, posterior.mean[0], posterior.standard_deviation()[0],
+               trial.position_error().norm(), distance_to_limit(arm), force.norm());
+    }
+    arm.step(torque);
+  };
+  const auto is_before = [&](double time) { return arm.time() < time - kPeriod / 2; };
+  Outcome outcome;
+  std::array<int, kItems.size()> handles{};
+  while (is_before(script.front().start)) tick(Vector3d::Zero(), [] {});
+  for (std::size_t i = 0; i < script.size(); ++i) {
+    const Change& change = script[i];
+    const Item& item = kItems[change.item];
+    int& handle = handles[change.item];
+    if (change.attach)
+      handle = arm.attach(experiment_payload(item.mass, item.com), change.ramp);
+    else
+      arm.detach(handle, change.ramp);
+    Finding& finding = outcome.findings.emplace_back();
+    const auto wait = [&] { finding.update(trial, arm.time() - change.start); };
+    while (is_before(change.push.start)) tick(Vector3d::Zero(), wait);
+    Endurance& endurance = outcome.endurances.emplace_back(trial.estimator.estimate().posterior.mean[0]);
+    const double end = i + 1 < script.size() ? script[i + 1].start : change.start + kBetween;
+    while (is_before(end)) {
+      const Vector3d force = change.push.at(arm.time());
+      tick(force, [&] { endurance.update(trial, force); });
+    }
+  }
+  return outcome;
+}
+
+/// All runs, with the estimator or without.
+struct Summary {
+  int runs = 0, changes = 0, found = 0, mistakes = 0, again = 0;
+  int sunk = 0;                           // runs in which a joint came to rest at its barrier, nobody pushing
+  double mass_error = 0;                  // mean absolute, of the changes found [kg]
+  double position = 0, worst = 0;         // kJudged after a change, mean and worst [m]
+  double lifted = 0, work = 0, gain = 0;  // the largest of all pushes
+  double resting = 10, pushed = 10;       // least distance to a limit, until somebody pushes and from then on [rad]
+
+  explicit Summary(const std::vector<Outcome>& outcomes) {
+    for (const Outcome& outcome : outcomes) {
+      ++runs;
+      double rest = 10;
+      for (const Finding& finding : outcome.findings) {
+        ++changes;
+        found += finding.found();
+        if (finding.found()) mass_error += std::abs(finding.mass - finding.truth);
+        position += finding.position;
+        worst = std::max(worst, finding.position);
+        rest = std::min(rest, finding.limit);
+      }
+      resting = std::min(resting, rest);
+      sunk += rest < kHeld;
+      for (const Endurance& endurance : outcome.endurances) {
+        mistakes += endurance.mistakes > 0;
+        again += endurance.again > 0;
+        lifted = std::max(lifted, endurance.lifted);
+        work = std::max(work, endurance.work);
+        gain = std::max(gain, endurance.gain);
+        pushed = std::min(pushed, endurance.limit);
+      }
+    }
+    mass_error /= std::max(1, found);
+    position /= std::max(1, changes);
+  }
+};
+
+void print_run(const Outcome& with, const Outcome& without, const std::vector<Change>& script) {
+  MarkdownTable table({"change", "truth [kg]", "estimate ± std. dev. [kg]", "carried after [s]", "final after [s]",
+                       "position error [mm]", "without the estimator [mm]"});
+  const auto after = [](const std::optional<double>& t) { return t ? text("%.2f", *t) : text("never"); };
+  for (std::size_t i = 0; i < script.size(); ++i) {
+    const Finding& finding = with.findings[i];
+    table.row({script[i].name, text("%.3f", finding.truth),
+               finding.final ? text("%.3f ± %.3f", finding.mass, finding.deviation) : text("none"),
+               after(finding.carried), after(finding.final), text("%.1f", 1e3 * finding.position),
+               text("%.1f", 1e3 * without.findings[i].position)});
+  }
+  table.print();
+}
+
+int run(Arguments& arguments) {
+  const Setup setup = Setup::parse(arguments);
+  const double count = arguments.number("--runs").value_or(setup.quick ? 1 : 5);
+  if (!(count >= 1 && count <= 1000 && count == std::floor(count)))
+    throw ArgumentError("--runs: must be a whole number from 1 to 1000");
+  arguments.finish();
+  const auto runs = static_cast<std::size_t>(count);
+
+  constexpr const char* columns = "t,m,mass,mass_std,error,limit,push";
+  CsvFile course_without(setup.output, "without.csv", columns), course_with(setup.output, "with.csv", columns);
+  std::vector<Outcome> without, with;
+  for (std::size_t k = 1; k <= runs; ++k) {
+    without.push_back(run_sequence(setup, k, false, k == 1 ? &course_without : nullptr));
+    with.push_back(run_sequence(setup, k, true, k == 1 ? &course_with : nullptr));
+    progress("sequential_interaction", k, runs);
+  }
+
+  std::printf("%s, %zu run(s), seed %llu. Of the first run, the position error %.1f s after each change began:\n\n",
+              setup.name().c_str(), runs, static_cast<unsigned long long>(setup.seed), kJudged);
+  std::mt19937_64 any;
+  print_run(with.front(), without.front(), draw_script(any, setup.quick));
+
+  const Summary a(with), b(without);
+  MarkdownTable summary({"all runs", "with the estimator", "without"});
+  summary.row({"changes found, to 0.1 kg", text("%d of %d", a.found, a.changes), text("%d of %d", b.found, b.changes)});
+  const auto row = [&](const char* what, double on, double off) {
+    summary.row({what, text("%.1f", on), text("%.1f", off)});
+  };
+  row("mean absolute error of the total mass [g]", 1e3 * a.mass_error, 1e3 * b.mass_error);
+  row("position error after a change, mean [mm]", 1e3 * a.position, 1e3 * b.position);
+  row("position error after a change, worst [mm]", 1e3 * a.worst, 1e3 * b.worst);
+  summary.row(
+      {"pushes taken for a payload", text("%d of %d", a.mistakes, a.changes), text("%d of %d", b.mistakes, b.changes)});
+  summary.row({"pushes after which the same payload was found again", text("%d of %d", a.again, a.changes),
+               text("%d of %d", b.again, b.changes)});
+  row("most of a push that was carried [g]", 1e3 * a.lifted, 1e3 * b.lifted);
+  summary.row({"runs in which the arm sank to a joint limit", text("%d of %d", a.sunk, a.runs),
+               text("%d of %d", b.sunk, b.runs)});
+  row("least distance to a joint limit, nobody pushing [mrad]", 1e3 * a.resting, 1e3 * b.resting);
+  row("least distance to a joint limit, from the push on [mrad]", 1e3 * a.pushed, 1e3 * b.pushed);
+  row("most work of a push on the arm [mJ]", 1e3 * a.work, 1e3 * b.work);
+  row("largest rise of stored - supplied energy then [mJ]", 1e3 * a.gain, 1e3 * b.gain);
+  summary.print();
+  const bool kept = std::min(a.resting, a.pushed) >= 0 && (setup.friction || a.worst <= kTarget);
+  return a.found == a.changes && a.mistakes == 0 && kept ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("rme_sequential_interaction", (std::string(kUsage) + Setup::kUsage + kExitCodes).c_str(), argc,
+                     argv, run);
+}
