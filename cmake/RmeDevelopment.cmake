@@ -16,7 +16,8 @@ function(rme_add_example name)
   target_precompile_headers(${name} REUSE_FROM rme_precompiled)
 endfunction()
 
-# rme_add_test(FILE [LIBRARY...]): one Catch2 program from tests/<folder>/test_<header>.cpp; each test case becomes a ctest.
+# rme_add_test(FILE [LIBRARY...]): one Catch2 program from tests/<folder>/test_<header>.cpp; each test case becomes a ctest
+# with the program's name as its label. Target tests_<folder> builds the folder's programs.
 function(rme_add_test file)
   get_filename_component(name ${file} NAME_WE)
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
@@ -24,7 +25,11 @@ function(rme_add_test file)
   add_executable(${target} ${file})
   target_link_libraries(${target} PRIVATE rme::rme rme_development rme_test_main ${ARGN})
   target_precompile_headers(${target} REUSE_FROM rme_test_main)
-  catch_discover_tests(${target} TEST_PREFIX "${folder}: " PROPERTIES TIMEOUT 600)
+  catch_discover_tests(${target} TEST_PREFIX "${folder}: " PROPERTIES TIMEOUT 600 LABELS ${target})
+  if(NOT TARGET tests_${folder})
+    add_custom_target(tests_${folder})
+  endif()
+  add_dependencies(tests_${folder} ${target})
 endfunction()
 
 # rme_extract_snippet(DOCUMENT NAME OUTPUT): the code block after "<!-- snippet: NAME -->" in a Markdown file, so that what

@@ -1,4 +1,4 @@
-# Targets format, format-check and tidy, and the ctest lint.format. Included where every program is already defined.
+# Targets format, format-check, tidy and cppcheck, and the ctest lint.format. Included where every program is already defined.
 file(GLOB_RECURSE rme_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.hpp ${PROJECT_SOURCE_DIR}/examples/*.[ch]pp
      ${PROJECT_SOURCE_DIR}/tests/*.[ch]pp)
 
@@ -24,5 +24,16 @@ if(RME_RUN_CLANG_TIDY)
     COMMAND ${CMAKE_COMMAND} -S ${PROJECT_SOURCE_DIR} -B ${rme_tidy_dir} -G ${CMAKE_GENERATOR} -DRME_WITH_JSON=${RME_WITH_JSON}
             -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
     COMMAND ${RME_RUN_CLANG_TIDY} -quiet -p ${rme_tidy_dir}
+    VERBATIM USES_TERMINAL)
+endif()
+
+# Half a minute.
+find_program(RME_CPPCHECK cppcheck DOC "cppcheck for target cppcheck")
+if(RME_CPPCHECK)
+  add_custom_target(
+    cppcheck
+    COMMAND ${RME_CPPCHECK} --enable=warning,performance,portability --language=c++ --std=c++17 --quiet --error-exitcode=1
+            --suppressions-list=${PROJECT_SOURCE_DIR}/cmake/cppcheck_suppressions.txt -I ${PROJECT_SOURCE_DIR}/include
+            -I ${PROJECT_SOURCE_DIR}/examples ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/examples
     VERBATIM USES_TERMINAL)
 endif()

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <rme/control/compensation.hpp>
 #include <rme/core/payload.hpp>
+#include <rme/core/plausible.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/estimate.hpp>
@@ -58,7 +59,7 @@ class Estimator {
   /// that know when the gripper closes. If the weight comes later in the collection, what was before it is left out.
   void trigger() noexcept;
   /// Says that the hand has been empty for the last `duration` seconds: what the sensor showed is the baseline of all
-  /// events to come, and no other is learned. Without samples it says nothing.
+  /// events to come, and no other is learned. Without samples, or for a duration that is not > 0, it says nothing.
   void tare(double duration) noexcept;
 
   Phase phase() const noexcept { return phase_; }
@@ -75,7 +76,8 @@ class Estimator {
   /// What the window of the last estimate, or of the last attempt at one, was judged to be.
   const Verdict<Scalar>& verdict() const noexcept { return verdict_; }
   /// tau_comp = -J^T w(payload) [N m]; zero for an empty hand. While an estimate is early, its confidence's share of
-  /// the way from the payload before to the new one. Pass it through a CompensationRamp.
+  /// the way from the payload before to the new one. Pass it through a CompensationRamp. For a pose that is not
+  /// plausible (plausible.hpp) it is that of the last good sample's pose.
   Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept;
   /// Seconds since construction or reset.
   double time() const noexcept { return static_cast<double>(ticks_) * dt_; }
@@ -194,10 +196,15 @@ void Estimator<Scalar, Dofs, PriorSource>::reset() noexcept {
 template <typename Scalar, int Dofs, typename PriorSource>
 auto Estimator<Scalar, Dofs, PriorSource>::compensation(const Jacobian<Scalar, Dofs>& jacobian,
                                                         const Matrix3<Scalar>& rotation) const noexcept -> Torque {
+  if (!plausible(jacobian) || !plausible(rotation)) {
+    if (window_.size() == 0) return Torque::Zero();
+    const Proprioception<Scalar, Dofs>& last = window_.newest().raw;
+    return compensation(last.jacobian, last.rotation);
+  }
   const auto torque = [&](const Estimate<Scalar>& estimate) {
     return compensation_torque<Scalar, Dofs>(estimate.payload(), jacobian, rotation, config_.gravity);
   };
-  const Torque latest = torque(latest_);
+  Torque latest = torque(latest_);
   if (latest_.final) return latest;
   const Torque known = torque(known_);
   return known + latest_.confidence * (latest - known);
@@ -294,7 +301,8 @@ void Estimator<Scalar, Dofs, PriorSource>::trigger() noexcept {
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::tare(double duration) noexcept {
-  const std::size_t count = ticks_of(std::max(duration, 0.0));
+  if (!(duration > 0)) return;
+  const std::size_t count = ticks_of(std::min(duration, config_.window.duration));
   if (count == 0 || window_.size() == 0) return;
   learn_baseline(0, count);
   tared_ = true;

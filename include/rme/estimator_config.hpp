@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/event_evidence.hpp>
@@ -56,28 +57,35 @@ struct EstimatorConfig {
 
 template <typename Scalar, int Dofs>
 void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
-  detail::require(dt > 0 && std::isfinite(dt), "Estimator::dt", "> 0 s", dt);
-  detail::require(gravity.allFinite() && gravity.norm() > 0, "EstimatorConfig::gravity", "finite and not zero",
+  detail::require_positive(dt, "Estimator::dt", "> 0 s");
+  detail::require(torque_sign == TorqueSign::External || torque_sign == TorqueSign::Reaction,
+                  "EstimatorConfig::torque_sign", "1 or -1", static_cast<int>(torque_sign));
+  detail::require(plausible(gravity) && gravity.norm() > 0, "EstimatorConfig::gravity", "finite and not zero",
                   gravity.norm());
+  detail::require(detector.window >= 2 * dt, "MismatchDetectorConfig::window", ">= 2 samples [s]", detector.window);
   detail::require(collection >= 2 * dt, "EstimatorConfig::collection", ">= 2 samples [s]", collection);
   detail::require(baseline >= 0, "EstimatorConfig::baseline", ">= 0 s", baseline);
   detail::require(baseline_guard >= 0, "EstimatorConfig::baseline_guard", ">= 0 s", baseline_guard);
-  detail::require(onset_span >= dt, "EstimatorConfig::onset_span", ">= 1 sample [s]", onset_span);
+  const double needed = detector.window + std::max(collection, baseline + baseline_guard) + 2 * dt;
+  detail::require(window.duration >= needed, "SampleWindowConfig::duration",
+                  "at least the detector's window + the longer of collection and baseline", window.duration);
+  detail::require(onset_span >= dt && onset_span <= detector.window, "EstimatorConfig::onset_span",
+                  "1 sample to the detector's window [s]", onset_span);
   detail::require(onset_jump > 0, "EstimatorConfig::onset_jump", "> 0 N m", onset_jump);
-  detail::require(onset_guard >= 0, "EstimatorConfig::onset_guard", ">= 0 s", onset_guard);
-  detail::require(detector.window > 0, "MismatchDetectorConfig::window", "> 0 s", detector.window);
-  detail::require(refresh == 0 || refresh >= dt, "EstimatorConfig::refresh", "0 or >= 1 sample [s]", refresh);
-  detail::require(early_window >= 2 * dt, "EstimatorConfig::early_window", ">= 2 samples [s]", early_window);
+  detail::require(onset_guard >= 0 && onset_guard <= detector.window, "EstimatorConfig::onset_guard",
+                  "0 s to the detector's window", onset_guard);
+  detail::require(refresh == 0 || (refresh >= dt && refresh <= window.duration), "EstimatorConfig::refresh",
+                  "0 or 1 sample to the sample window [s]", refresh);
+  detail::require(early_window >= 2 * dt && early_window <= window.duration, "EstimatorConfig::early_window",
+                  "2 samples to the sample window [s]", early_window);
   detail::require(gentle_window >= 2 * dt && gentle_window <= detector.window, "EstimatorConfig::gentle_window",
                   "2 samples to the detector's window [s]", gentle_window);
   detail::require(std::isfinite(odds), "EstimatorConfig::odds", "finite", odds);
   detail::require(std::isfinite(early_odds), "EstimatorConfig::early_odds", "finite", early_odds);
   detail::require(early_excess > 0, "EstimatorConfig::early_excess", "> 0", early_excess);
   detail::require(unrest > 0, "EstimatorConfig::unrest", "> 0 N m", unrest);
-  detail::require(gyration_radius >= 0, "EstimatorConfig::gyration_radius", ">= 0 m", gyration_radius);
-  const double needed = detector.window + std::max(collection, baseline + baseline_guard) + 2 * dt;
-  detail::require(window.duration >= needed, "SampleWindowConfig::duration",
-                  "at least the detector's window + the longer of collection and baseline", window.duration);
+  detail::require(gyration_radius >= 0 && gyration_radius <= 10, "EstimatorConfig::gyration_radius", "0 to 10 m",
+                  gyration_radius);
 }
 
 }  // namespace rme

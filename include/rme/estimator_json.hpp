@@ -1,8 +1,11 @@
 #pragma once
 /// An EstimatorConfig's JSON form: an object with the fields of the structs under their own names. Link rme::json.
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <rme/core/describe_json.hpp>
 #include <rme/core/require.hpp>
 #include <rme/estimator.hpp>
 #include <set>
@@ -95,7 +98,7 @@ void visit_fields(Config& c, Visit&& visit, const EstimatorConfig<Scalar, Dofs>*
 }
 
 [[noreturn]] inline void refuse_field(const std::string& path, const char* expected, const nlohmann::json& got) {
-  refuse(path + ": expected " + expected + ", got " + got.dump().substr(0, 60));
+  refuse(path + ": expected " + expected + ", got " + describe(got));
 }
 
 inline void read_field(const nlohmann::json& json, const std::string& path, double& out) {
@@ -103,11 +106,14 @@ inline void read_field(const nlohmann::json& json, const std::string& path, doub
   out = json.get<double>();
 }
 inline void read_field(const nlohmann::json& json, const std::string& path, float& out) {
-  if (!json.is_number()) refuse_field(path, "a number", json);
+  // A float cannot hold every number, and what becomes of the others is undefined.
+  if (!json.is_number() || !(std::abs(json.get<double>()) <= double(std::numeric_limits<float>::max())))
+    refuse_field(path, "a number that a float can hold", json);
   out = json.get<float>();
 }
 inline void read_field(const nlohmann::json& json, const std::string& path, int& out) {
-  if (!json.is_number_integer()) refuse_field(path, "an integer", json);
+  if (!json.is_number_integer() || json > std::numeric_limits<int>::max() || json < std::numeric_limits<int>::min())
+    refuse_field(path, "an integer", json);
   out = json.get<int>();
 }
 inline void read_field(const nlohmann::json& json, const std::string& path, bool& out) {
@@ -186,14 +192,12 @@ template <typename Scalar, int Dofs>
 nlohmann::json write_field(const std::vector<SensorModel<Scalar, Dofs>>& sensors);
 template <typename Field>
 nlohmann::json write_field(const Field& field) {
-  if constexpr (std::is_arithmetic_v<Field>) {
+  if constexpr (std::is_arithmetic_v<Field> || std::is_convertible_v<Field, std::array<double, 3>>) {
     return field;
   } else if constexpr (std::is_same_v<Field, TorqueSign>) {
     return field == TorqueSign::External ? "external" : "reaction";
   } else if constexpr (std::is_base_of_v<Eigen::MatrixBase<Field>, Field>) {
     return std::vector<typename Field::Scalar>(field.data(), field.data() + field.size());
-  } else if constexpr (std::is_convertible_v<Field, std::array<double, 3>>) {
-    return field;
   } else {
     nlohmann::json out = nlohmann::json::object();
     visit_fields(

@@ -1,4 +1,5 @@
 #include <rme/estimator_json.hpp>
+#include <utility>
 
 #include "support/catch.hpp"
 
@@ -48,16 +49,27 @@ TEST_CASE("estimator_config: a wrong field is refused by its path, with what was
   CHECK_THROWS_WITH(read(R"({"colection": 1})"), contains("colection") && contains("unknown"));
   CHECK_THROWS_WITH(read(R"({"window": {"duration": "x"}})"), contains("window.duration") && contains("a number"));
   CHECK_THROWS_WITH(read(R"({"window": {"durations": 1}})"), contains("window.durations"));
-  CHECK_THROWS_WITH(read(R"({"gravity": [1, 2]})"), contains("gravity") && contains("3 numbers") && contains("[1,2]"));
+  CHECK_THROWS_WITH(read(R"({"gravity": [1, 2]})"),
+                    contains("gravity") && contains("3 numbers") && contains("an array of 2"));
   CHECK_THROWS_WITH(read(R"({"gravity": [1, 2, null]})"), contains("gravity[2]") && contains("null"));
   CHECK_THROWS_WITH(read(R"({"torque_sign": "up"})"), contains("torque_sign") && contains("reaction"));
   CHECK_THROWS_WITH(read(R"({"watch_norm": 1})"), contains("watch_norm") && contains("true or false"));
   CHECK_THROWS_WITH(read(R"({"inference": {"max_iterations": 2.5}})"), contains("inference.max_iterations"));
+  CHECK_THROWS_WITH(read(R"({"inference": {"max_iterations": 4294967297}})"), contains("inference.max_iterations"));
   CHECK_THROWS_WITH(read(R"({"sensors": []})"), contains("sensors"));
   CHECK_THROWS_WITH(read(R"({"sensors": ["link"]})"), contains("sensors[0]") && contains("\"link\""));
   CHECK_THROWS_WITH(read(R"({"sensors": [{"noise": [1, 1, 1, 1, 1, 1, 1]}]})"),
                     contains("sensors[0].noise_correlation_time") && contains("missing"));
   CHECK_THROWS_WITH(read("[1]"), contains("an object"));
+  const json too_large = json::parse(R"({"gravity": [0, 0, -1e39]})");
+  CHECK_THROWS_WITH((rme::estimator_config_from_json<float, 7>(too_large)),
+                    contains("gravity[2]") && contains("float"));
+  // A hundred thousand brackets, which nothing may follow down.
+  json deep = 1;
+  for (int k = 0; k < 100000; ++k) deep = json::array({std::move(deep)});
+  json holder;
+  holder["odds"] = std::move(deep);
+  CHECK_THROWS_WITH((rme::estimator_config_from_json<double, 7>(holder)), contains("an array of 1"));
 }
 
 TEST_CASE("estimator_config: what the file says is checked by the estimator, by name", "[json]") {

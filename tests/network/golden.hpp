@@ -1,5 +1,6 @@
 #pragma once
 // The generator of examples/training/golden.py, and the networks and windows that it makes.
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <rme/network/mismatch_network.hpp>
@@ -20,6 +21,13 @@ class Uniform {
 
  private:
   std::uint64_t state_;
+};
+
+/// An architecture as small as one can be.
+struct SmallArchitecture {
+  static constexpr int kSamples = 3, kChannels = 2, kConvChannels = 2, kConvKernel = 3, kHeads = 1, kMlpHidden = 3,
+                       kMlpRepeats = 2, kOutputs = 2;
+  static constexpr std::array<const char*, kOutputs> kOutputNames{"mass", "com_x"};
 };
 
 /// golden.py's random_network(Uniform(1)).

@@ -31,7 +31,7 @@ rme::PayloadGaussian<double> estimate(const ShippedPrior& prior, const RigidBody
 TEST_CASE("NetworkPrior: the estimator finds a payload with the shipped network as its prior", "[network_prior]") {
   const ShippedPrior prior;
   const Eigen::Vector3d com(0.04, -0.02, 0.1);
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     CAPTURE(seed);
     const auto posterior = estimate(prior, box(1.1, com, {0.06, 0.06, 0.1}), seed);
     REQUIRE(prior.asked());
@@ -47,7 +47,7 @@ TEST_CASE("NetworkPrior: the estimator finds a payload with the shipped network 
 TEST_CASE("NetworkPrior: a payload of 4 kg, twice the heaviest of the training, is not dragged to the lighter ones",
           "[network_prior]") {
   const ShippedPrior prior;
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     CAPTURE(seed);
     const auto posterior = estimate(prior, box(4, {0.02, 0.01, 0.08}, {0.1, 0.1, 0.1}), seed);
     CHECK_FALSE(prior.asked());

@@ -73,7 +73,7 @@ TEST_CASE("Allocations: none in the controller, feasible or not", "[realtime]") 
         input.wrench = passive.wrench();
       }
       input.null_torque = posture.torque(q, dq);
-      null_space.update(input.jacobian);
+      refused += null_space.update(input.jacobian) != Status::Ok;
       const auto carried =
           rme::compensation_torque<double, 7>({1.1, {0, 0, 0.1}}, input.jacobian, Eigen::Matrix3d::Identity());
       refused += ramp.update(carried) != Status::Ok;

@@ -5,7 +5,16 @@
 #include <cstddef>
 #include <cstdlib>
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+// Two compilers, two ways to say that a sanitizer brings a heap of its own.
+#if defined(__SANITIZE_ADDRESS__)
+#define RME_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define RME_ADDRESS_SANITIZER
+#endif
+#endif
+
+#if defined(__GLIBC__) && !defined(RME_ADDRESS_SANITIZER)
 #define RME_COUNTS_ALLOCATIONS
 namespace {
 int allocations = 0;

@@ -41,8 +41,13 @@ class ActiveSetSolver {
   /// @return Ok; Infeasible: the hard rows do not hold together, solution() violates them least; NotConverged:
   ///         kMaxIterations was reached, solution() is only known to lie in the box
   Status solve(const Matrix& P, const Vector& x_u, const Rows& rows, const Vector& x_min, const Vector& x_max) noexcept;
-  /// Forgets the active set, so that the next solve starts cold.
-  void reset() noexcept { count_ = 0; }
+  /// Forgets the active set, so that the next solve starts cold, and the solution.
+  void reset() noexcept {
+    count_ = iterations_ = 0;
+    multiplier_.fill(0);
+    slack_.fill(0);
+    x_.setZero();
+  }
 
   const Vector& solution() const noexcept { return x_; }
   /// Multiplier of a row, >= 0 if it pushes at its lower bound, <= 0 at its upper, 0 if inactive.

@@ -2,6 +2,7 @@
 /// Exponential control barrier functions: where the arm may go, written as rows on its joint accelerations.
 #include <algorithm>
 #include <rme/control/constraint_rows.hpp>
+#include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
@@ -17,8 +18,8 @@ class BarrierPoles {
   /// @param first, second  p_1, p_2 > 0 [1/s]
   /// @throws std::invalid_argument for a pole that is not stable
   BarrierPoles(Scalar first, Scalar second) : k1(first * second), k2(first + second) {
-    detail::require(first > 0, "BarrierPoles::first", "> 0 1/s (a stable pole)", first);
-    detail::require(second > 0, "BarrierPoles::second", "> 0 1/s (a stable pole)", second);
+    detail::require_positive(first, "BarrierPoles::first", "> 0 1/s (a stable pole)");
+    detail::require_positive(second, "BarrierPoles::second", "> 0 1/s (a stable pole)");
   }
   Scalar k1;  ///< [1/s^2]
   Scalar k2;  ///< [1/s]
@@ -101,7 +102,7 @@ class JointLimits {
   explicit JointLimits(const JointLimitsConfig<Scalar, Dofs>& config);
 
   /// Appends Dofs rows, joint 0 first.
-  /// @return see ConstraintRows::add; for NonFiniteInput some rows may have been added
+  /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; CapacityExceeded: then none has been added
   template <int MaxRows>
   Status append(const JointVector<Scalar, Dofs>& q, const JointVector<Scalar, Dofs>& dq,
                 ConstraintRows<Scalar, Dofs, MaxRows>& rows) const noexcept;
@@ -117,7 +118,7 @@ JointLimits<Scalar, Dofs>::JointLimits(const JointLimitsConfig<Scalar, Dofs>& co
     detail::require(config.velocity_limit[j] > 0, "JointLimitsConfig::velocity_limit", "> 0 rad/s",
                     config.velocity_limit[j]);
   }
-  detail::require(config.velocity_pole > 0, "JointLimitsConfig::velocity_pole", "> 0 1/s", config.velocity_pole);
+  detail::require_positive(config.velocity_pole, "JointLimitsConfig::velocity_pole", "> 0 1/s");
   detail::require(config.weight > 0, "JointLimitsConfig::weight", "> 0", config.weight);
 }
 
@@ -125,6 +126,8 @@ template <typename Scalar, int Dofs>
 template <int MaxRows>
 Status JointLimits<Scalar, Dofs>::append(const JointVector<Scalar, Dofs>& q, const JointVector<Scalar, Dofs>& dq,
                                          ConstraintRows<Scalar, Dofs, MaxRows>& rows) const noexcept {
+  if (!plausible(q) || !plausible(dq)) return Status::NonFiniteInput;
+  if (rows.size() + Dofs > MaxRows) return Status::CapacityExceeded;
   const auto& [k1, k2] = config_.poles;
   for (int j = 0; j < Dofs; ++j) {
     const Scalar lower = -k1 * (q[j] - config_.q_min[j]) - k2 * dq[j];

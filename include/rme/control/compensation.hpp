@@ -57,9 +57,9 @@ class CompensationRamp {
 template <typename Scalar, int Dofs>
 CompensationRamp<Scalar, Dofs>::CompensationRamp(Scalar period, const CompensationRampConfig<Scalar, Dofs>& config)
     : max_step_(config.torque_rate * period) {
-  detail::require(period > 0, "CompensationRamp::period", "> 0 s", period);
-  for (int joint = 0; joint < Dofs; ++joint) {
-    detail::require(config.torque_rate[joint] > 0, "CompensationRampConfig::torque_rate", "> 0 N m/s",
+  detail::require_positive(period, "CompensationRamp::period", "> 0 s");
+  for (int joint = 0; joint < Dofs; ++joint) {  // a step that underflows is none
+    detail::require(max_step_[joint] > 0, "CompensationRampConfig::torque_rate", "> 0 N m/s",
                     config.torque_rate[joint]);
   }
 }

@@ -5,6 +5,7 @@
 #include <rme/control/active_set_solver.hpp>
 #include <rme/control/constraint_rows.hpp>
 #include <rme/control/null_space.hpp>
+#include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
@@ -67,8 +68,9 @@ class Cpic {
 
   /// @param rows  bounds on grad^T ddq; gradient and bounds in any unit that the barrier's h has
   /// @return Ok; Infeasible: the hard rows cannot all be kept within the torque limits, torque() violates them least;
-  ///         NotConverged: torque() is only known to respect the limits. After NonFiniteInput, or NotPositiveDefinite
-  ///         for M, nothing has changed and torque() is the last one.
+  ///         NotConverged: torque() is only known to respect the limits. After NonFiniteInput (also for numbers beyond
+  ///         kLargestPlausible), or NotPositiveDefinite for M, nothing has changed and torque() is the last one; where
+  ///         it was the rows that overflowed, the next update starts without an active set.
   Status update(const CpicInput<Scalar, Dofs>& input, const Rows& rows) noexcept;
   /// Forgets torque and active set.
   void reset() noexcept;
@@ -100,8 +102,8 @@ Cpic<Scalar, Dofs, MaxRows>::Cpic(const CpicConfig<Scalar, Dofs>& config)
   for (int joint = 0; joint < Dofs; ++joint) {
     detail::require(config.torque_limit[joint] > 0, "CpicConfig::torque_limit", "> 0 N m", config.torque_limit[joint]);
   }
-  detail::require(config.null_space_weight > 0, "CpicConfig::null_space_weight", "> 0", config.null_space_weight);
-  detail::require(config.moment_arm > 0, "CpicConfig::moment_arm", "> 0 m", config.moment_arm);
+  detail::require_positive(config.null_space_weight, "CpicConfig::null_space_weight", "> 0");
+  detail::require_positive(config.moment_arm, "CpicConfig::moment_arm", "> 0 m");
 }
 
 template <typename Scalar, int Dofs, int MaxRows>
@@ -114,31 +116,33 @@ void Cpic<Scalar, Dofs, MaxRows>::reset() noexcept {
 template <typename Scalar, int Dofs, int MaxRows>
 Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input, const Rows& rows) noexcept {
   const Vector6<Scalar> wrench = input.wrench.vector();
-  if (!input.jacobian.allFinite() || !input.mass_matrix.allFinite() || !input.bias.allFinite() || !wrench.allFinite() ||
-      !input.null_torque.allFinite() || !input.other_torque.allFinite()) {
+  if (!plausible(input.jacobian) || !plausible(input.mass_matrix) || !plausible(input.bias) || !plausible(wrench) ||
+      !plausible(input.null_torque) || !plausible(input.other_torque)) {
     return Status::NonFiniteInput;
   }
   const Eigen::LLT<JointMatrix<Scalar, Dofs>> cholesky(input.mass_matrix);
   if (cholesky.info() != Eigen::Success) return Status::NotPositiveDefinite;
   const JointMatrix<Scalar, Dofs> inverse_mass = cholesky.solve(JointMatrix<Scalar, Dofs>::Identity());
+  if (!plausible(inverse_mass)) return Status::NotPositiveDefinite;  // positive by rounding alone
 
   torque_rows_.clear();
   for (int i = 0; i < rows.size(); ++i) {
     const auto& row = rows[i];
     const Vector a = row.axis < 0 ? Vector(inverse_mass * row.a) : Vector(inverse_mass.col(row.axis));
     const Scalar shift = a.dot(input.bias);
-    const Status status = torque_rows_.add(a, row.lower + shift, row.upper + shift, row.weight);
-    if (status != Status::Ok) return status;
+    // The row was good, so that only an overflow can spoil it.
+    if (torque_rows_.add(a, row.lower + shift, row.upper + shift, row.weight) != Status::Ok)
+      return Status::NonFiniteInput;
   }
 
-  null_space_.update(input.jacobian);
-  const JointMatrix<Scalar, Dofs>& N = null_space_.projector();
+  NullSpace<Scalar, Dofs> null_space = null_space_;
+  if (null_space.update(input.jacobian) != Status::Ok) return Status::NonFiniteInput;
+  const JointMatrix<Scalar, Dofs>& N = null_space.projector();
   const Vector unconstrained = input.jacobian.transpose() * wrench + N * input.null_torque;
   Jacobian<Scalar, Dofs> scaled = input.jacobian;  // W^-1 J
   scaled.template bottomRows<3>() *= config_.moment_arm;
   const JointMatrix<Scalar, Dofs> inverse_hessian = (scaled.transpose() * scaled + N / config_.null_space_weight) / 2;
-  // Finite input may still overflow in a product.
-  if (!unconstrained.allFinite() || !inverse_hessian.allFinite()) return Status::NonFiniteInput;
+  if (!inverse_hessian.allFinite()) return Status::NonFiniteInput;  // a weight near zero
   const Status status =
       solver_.solve(inverse_hessian, unconstrained, torque_rows_, -config_.torque_limit - input.other_torque,
                     config_.torque_limit - input.other_torque);
@@ -146,6 +150,7 @@ Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input,
     solver_.reset();
     return Status::NonFiniteInput;
   }
+  null_space_ = null_space;
   unconstrained_ = unconstrained;
   torque_ = solver_.solution();
   return status;

@@ -33,9 +33,8 @@ class EnergyTank {
         capacity_(static_cast<Scalar>(config.capacity)),
         reserve_(static_cast<Scalar>(config.reserve)),
         energy_(static_cast<Scalar>(config.initial)) {
-    detail::require(period > 0, "EnergyTank::period", "> 0 s", period);
-    detail::require(config.capacity > 0 && std::isfinite(config.capacity), "EnergyTankConfig::capacity", "> 0 J",
-                    config.capacity);
+    detail::require_positive(period, "EnergyTank::period", "> 0 s");
+    detail::require_positive(config.capacity, "EnergyTankConfig::capacity", "> 0 J");
     detail::require(config.initial >= 0 && config.initial <= config.capacity, "EnergyTankConfig::initial",
                     "0 to capacity [J]", config.initial);
     detail::require(config.reserve > 0 && config.reserve <= config.capacity, "EnergyTankConfig::reserve",

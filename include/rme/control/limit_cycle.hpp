@@ -28,11 +28,12 @@ class LimitCycle {
  public:
   /// @throws std::invalid_argument naming the field out of range
   explicit LimitCycle(const LimitCycleConfig<Scalar>& config) : config_(config) {
-    detail::require(config.radius > 0, "LimitCycleConfig::radius", "> 0 m", config.radius);
-    detail::require(config.gain > 0, "LimitCycleConfig::gain", "> 0 1/s", config.gain);
-    detail::require(config.normal.norm() > 0, "LimitCycleConfig::normal", "a length > 0", config.normal.norm());
-    detail::require(std::abs(config.angular_speed) >= 0, "LimitCycleConfig::angular_speed", "a number",
+    detail::require_positive(config.radius, "LimitCycleConfig::radius", "> 0 m");
+    detail::require_positive(config.gain, "LimitCycleConfig::gain", "> 0 1/s");
+    detail::require_positive(config.normal.norm(), "LimitCycleConfig::normal", "a length > 0");
+    detail::require(std::isfinite(config.angular_speed), "LimitCycleConfig::angular_speed", "a finite number",
                     config.angular_speed);
+    detail::require(config.center.allFinite(), "LimitCycleConfig::center", "finite numbers", config.center.norm());
     config_.normal.normalize();
   }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <rme/control/flow.hpp>
 #include <rme/core/require.hpp>
+#include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 
 namespace rme {
@@ -23,7 +24,8 @@ class LinearAttractor {
  public:
   /// @throws std::invalid_argument naming the field out of range
   explicit LinearAttractor(const LinearAttractorConfig<Scalar>& config) : config_(config) {
-    detail::require(config.gain > 0, "LinearAttractorConfig::gain", "> 0 1/s", config.gain);
+    detail::require(config.target.allFinite(), "LinearAttractorConfig::target", "finite numbers", config.target.norm());
+    detail::require_positive(config.gain, "LinearAttractorConfig::gain", "> 0 1/s");
     detail::require(config.max_speed > 0, "LinearAttractorConfig::max_speed", "> 0 m/s", config.max_speed);
   }
 
@@ -40,7 +42,12 @@ class LinearAttractor {
   }
 
   /// Moves the target. That changes the potential at once: a passivity monitor has to be told (its reset()).
-  void set_target(const Vector3<Scalar>& target) noexcept { config_.target = target; }
+  /// @return Ok, or NonFiniteInput: the target stays
+  Status set_target(const Vector3<Scalar>& target) noexcept {
+    if (!target.allFinite()) return Status::NonFiniteInput;
+    config_.target = target;
+    return Status::Ok;
+  }
 
  private:
   LinearAttractorConfig<Scalar> config_;

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
+#include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 
 namespace rme {
@@ -32,12 +34,13 @@ class NullSpace {
  public:
   /// @throws std::invalid_argument naming the field out of range
   explicit NullSpace(const NullSpaceConfig<Scalar>& config = NullSpaceConfig<Scalar>()) : config_(config) {
-    detail::require(config.clearance > 0, "NullSpaceConfig::clearance", "> 0", config.clearance);
-    detail::require(config.damping > 0, "NullSpaceConfig::damping", "> 0", config.damping);
+    detail::require_positive(config.clearance, "NullSpaceConfig::clearance", "> 0");
+    detail::require_positive(config.damping, "NullSpaceConfig::damping", "> 0");
   }
 
-  /// Computes N of a finite Jacobian.
-  void update(const Jacobian<Scalar, Dofs>& jacobian) noexcept;
+  /// Computes N.
+  /// @return Ok, or NonFiniteInput, also for numbers beyond kLargestPlausible: N is then as it was
+  Status update(const Jacobian<Scalar, Dofs>& jacobian) noexcept;
 
   const JointMatrix<Scalar, Dofs>& projector() const noexcept { return projector_; }  ///< N, DofsxDofs
   /// sigma = |J^+|_F^-1, between sigma_min / sqrt(6) and sigma_min, J's smallest singular value; 0 at a singular pose.
@@ -52,7 +55,8 @@ class NullSpace {
 };
 
 template <typename Scalar, int Dofs>
-void NullSpace<Scalar, Dofs>::update(const Jacobian<Scalar, Dofs>& jacobian) noexcept {
+Status NullSpace<Scalar, Dofs>::update(const Jacobian<Scalar, Dofs>& jacobian) noexcept {
+  if (!plausible(jacobian)) return Status::NonFiniteInput;
   // J^T = Q [R; 0] by Householder reflections I - v v^T (|v|^2 = 2). Not through J J^T, which would square the
   // condition number: N is divided by a small weight afterwards.
   Eigen::Matrix<Scalar, Dofs, 6> a = jacobian.transpose();
@@ -96,7 +100,7 @@ void NullSpace<Scalar, Dofs>::update(const Jacobian<Scalar, Dofs>& jacobian) noe
     const Eigen::Matrix<Scalar, 6, Dofs> y = damped.llt().matrixL().solve(jacobian);
     projector_.noalias() = -y.transpose() * y;
     projector_.diagonal().array() += Scalar(1);
-    return;
+    return Status::Ok;
   }
   projector_.setZero();
   for (int m = 6; m < Dofs; ++m) {  // the last columns of Q span the null space
@@ -108,6 +112,7 @@ void NullSpace<Scalar, Dofs>::update(const Jacobian<Scalar, Dofs>& jacobian) noe
     }
     projector_.noalias() += z * z.transpose();
   }
+  return Status::Ok;
 }
 
 }  // namespace rme

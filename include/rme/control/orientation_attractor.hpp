@@ -24,7 +24,7 @@ class OrientationAttractor {
  public:
   /// @throws std::invalid_argument naming the field out of range
   explicit OrientationAttractor(const OrientationAttractorConfig<Scalar>& config) : config_(config) {
-    detail::require(config.gain > 0, "OrientationAttractorConfig::gain", "> 0 1/s", config.gain);
+    detail::require_positive(config.gain, "OrientationAttractorConfig::gain", "> 0 1/s");
     const Scalar norm = config.target.norm();
     detail::require(std::abs(norm - Scalar(1)) < Scalar(1e-3), "OrientationAttractorConfig::target",
                     "a unit quaternion", norm);

@@ -73,9 +73,9 @@ class PassiveController {
 template <typename Scalar>
 PassiveController<Scalar>::PassiveController(const PassiveControllerConfig<Scalar>& config) : config_(config) {
   for (const auto* damping : {&config.linear, &config.angular}) {
-    detail::require(damping->along > 0, "DirectionalDamping::along", "> 0", damping->along);
-    detail::require(damping->across > 0, "DirectionalDamping::across", "> 0", damping->across);
-    detail::require(damping->blend > 0, "DirectionalDamping::blend", "> 0", damping->blend);
+    detail::require_positive(damping->along, "DirectionalDamping::along", "> 0");
+    detail::require_positive(damping->across, "DirectionalDamping::across", "> 0");
+    detail::require_positive(damping->blend, "DirectionalDamping::blend", "> 0");
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// The proof of passivity as something that runs: stored energy against supplied energy, each tick.
 #include <cmath>
+#include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
@@ -27,13 +28,13 @@ class PassivityMonitor {
   /// @param period  between two updates [s], > 0
   /// @throws std::invalid_argument naming the field out of range
   explicit PassivityMonitor(Scalar period) : period_(period) {
-    detail::require(period > 0, "PassivityMonitor::period", "> 0 s", period);
+    detail::require_positive(period, "PassivityMonitor::period", "> 0 s");
   }
 
   /// Enters one tick into the books; the first one opens them.
   /// @param storage  S [J]
   /// @param power    supplied power [W] at the same instant
-  /// @return Ok, or NonFiniteInput: the books stay as they were
+  /// @return Ok, or NonFiniteInput, also for numbers beyond kLargestPlausible: the books stay as they were
   Status update(Scalar storage, Scalar power) noexcept;
   /// Closes the books: the next update opens new ones. Needed after a change of potential (a new target).
   void reset() noexcept { open_ = false; }
@@ -54,7 +55,7 @@ class PassivityMonitor {
 
 template <typename Scalar>
 Status PassivityMonitor<Scalar>::update(Scalar storage, Scalar power) noexcept {
-  if (!std::isfinite(storage) || !std::isfinite(power)) return Status::NonFiniteInput;
+  if (!plausible(storage) || !plausible(power)) return Status::NonFiniteInput;
   if (!open_) {
     open_ = true;
     initial_ = storage;

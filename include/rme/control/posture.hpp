@@ -1,5 +1,6 @@
 #pragma once
 /// Where a redundant arm would like its elbow to be.
+#include <cmath>
 #include <rme/core/require.hpp>
 #include <rme/core/types.hpp>
 
@@ -19,8 +20,11 @@ class Posture {
  public:
   /// @throws std::invalid_argument naming the field out of range
   explicit Posture(const PostureConfig<Scalar, Dofs>& config) : config_(config) {
-    detail::require(config.stiffness >= 0, "PostureConfig::stiffness", ">= 0 N m/rad", config.stiffness);
-    detail::require(config.damping >= 0, "PostureConfig::damping", ">= 0 N m s/rad", config.damping);
+    detail::require(config.rest.allFinite(), "PostureConfig::rest", "finite numbers", config.rest.norm());
+    detail::require(config.stiffness >= 0 && std::isfinite(config.stiffness), "PostureConfig::stiffness",
+                    ">= 0 N m/rad", config.stiffness);
+    detail::require(config.damping >= 0 && std::isfinite(config.damping), "PostureConfig::damping", ">= 0 N m s/rad",
+                    config.damping);
   }
 
   JointVector<Scalar, Dofs> torque(const JointVector<Scalar, Dofs>& q,

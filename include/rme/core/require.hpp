@@ -1,5 +1,6 @@
 #pragma once
 /// Checks at construction. This is the only place where rme throws (weights from JSON apart).
+#include <cmath>
 #include <string>
 #if defined(__cpp_exceptions)
 #include <stdexcept>
@@ -26,6 +27,12 @@ namespace rme::detail {
 template <typename Scalar>
 void require(bool good, const char* field, const char* expected, Scalar value) {
   if (!good) refuse(std::string(field) + ": expected " + expected + ", got " + std::to_string(value));
+}
+
+/// Refuses `value` unless it is finite and above zero.
+template <typename Scalar>
+void require_positive(Scalar value, const char* field, const char* expected) {
+  require(value > 0 && std::isfinite(value), field, expected, value);
 }
 
 }  // namespace rme::detail

@@ -8,7 +8,7 @@ namespace rme {
 /// object is as it was, and no output was written.
 enum class [[nodiscard]] Status : std::uint8_t{
     Ok,
-    NonFiniteInput,       ///< a NaN or an infinity came in
+    NonFiniteInput,       ///< a NaN or an infinity came in, or a number that no arm makes (plausible.hpp)
     NotARotation,         ///< a rotation matrix is not orthonormal with determinant +1
     NotReady,             ///< too little data yet for an answer
     NotPositiveDefinite,  ///< a matrix that must be positive definite is not

@@ -83,7 +83,7 @@ class EventInference {
  private:
   struct Inferred {
     PayloadGaussian<Scalar> posterior;
-    Scalar log_evidence, misfit;
+    Scalar log_evidence = Scalar(0), misfit = Scalar(0);
     bool valid = false;
   };
   /// What each sensor model makes of a window, if the noise's variance is `excess` times what it says.
@@ -123,10 +123,11 @@ EventInference<Scalar, Dofs>::EventInference(Scalar dt, const std::vector<Sensor
                     "SensorModel::noise_correlation_time", "the same in all sensor models",
                     sensor.noise_correlation_time);
   }
-  detail::require(push.force > 0, "PushPrior::force", "> 0 N", push.force);
-  detail::require(push.moment > 0, "PushPrior::moment", "> 0 N m", push.moment);
+  detail::require_positive(push.force, "PushPrior::force", "> 0 N");
+  detail::require_positive(push.moment, "PushPrior::moment", "> 0 N m");
   detail::require(config.max_iterations > 0, "VariationalInferenceConfig::max_iterations", ">= 1",
                   config.max_iterations);
+  detail::require_positive(config.tolerance, "VariationalInferenceConfig::tolerance", "> 0");
   forget_baseline();
 }
 

@@ -95,7 +95,9 @@ SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::joint_friction() {
 template <typename Scalar, int Dofs>
 void SensorModel<Scalar, Dofs>::validate() const {
   const auto positive = [](const Vector& v, const char* field) {
-    for (int j = 0; j < Dofs; ++j) detail::require(v[j] > 0 && v[j] < Scalar(1e6), field, "> 0 in every joint", v[j]);
+    // Its square has to be a number, in float as well.
+    for (int j = 0; j < Dofs; ++j)
+      detail::require(v[j] >= Scalar(1e-12) && v[j] < Scalar(1e6), field, "> 0 in every joint", v[j]);
   };
   positive(noise, "SensorModel::noise");
   positive(offset, "SensorModel::offset");

@@ -25,7 +25,7 @@ class ExpectedLogJoint {
   Scalar value(const Vector4<Scalar>& mu, const Matrix4<Scalar>& Sigma) const noexcept {
     const Moments q(mu, Sigma);
     const Scalar m2_rQr =
-        q.m2 * (q.r.dot(l_.BB * q.r) + trace_BB(q)) + 4 * q.m * q.r.dot(l_.BB * q.c) + 2 * q.c.dot(l_.BB * q.c);
+        q.m2 * (q.r.dot(l_.BB * q.r) + trace_bb(q)) + 4 * q.m * q.r.dot(l_.BB * q.c) + 2 * q.c.dot(l_.BB * q.c);
     const Scalar likelihood =
         q.m * l_.ya + l_.yB.dot(q.m_r) - Scalar(0.5) * (q.m2 * l_.aa + 2 * l_.aB.dot(q.m2_r) + m2_rQr);
     const Vector4<Scalar> d = mu - prior_mean_;
@@ -37,7 +37,7 @@ class ExpectedLogJoint {
     const Moments q(mu, Sigma);
     const Vector3<Scalar> BB_r = l_.BB * q.r;
     Vector4<Scalar> g;
-    g[0] = l_.ya + l_.yB.dot(q.r) - q.m * l_.aa - 2 * l_.aB.dot(q.m_r) - q.m * (q.r.dot(BB_r) + trace_BB(q)) -
+    g[0] = l_.ya + l_.yB.dot(q.r) - q.m * l_.aa - 2 * l_.aB.dot(q.m_r) - q.m * (q.r.dot(BB_r) + trace_bb(q)) -
            2 * BB_r.dot(q.c);
     g.template tail<3>() = q.m * l_.yB - q.m2 * l_.aB - l_.BB * q.m2_r;
     return g - prior_precision_ * (mu - prior_mean_);
@@ -47,7 +47,7 @@ class ExpectedLogJoint {
   Matrix4<Scalar> precision(const Vector4<Scalar>& mu, const Matrix4<Scalar>& Sigma) const noexcept {
     const Moments q(mu, Sigma);
     Matrix4<Scalar> P;
-    P(0, 0) = l_.aa + 2 * l_.aB.dot(q.r) + q.r.dot(l_.BB * q.r) + trace_BB(q);
+    P(0, 0) = l_.aa + 2 * l_.aB.dot(q.r) + q.r.dot(l_.BB * q.r) + trace_bb(q);
     P.template block<3, 1>(1, 0) = 2 * (q.m * l_.aB + l_.BB * q.m_r) - l_.yB;
     P.template block<1, 3>(0, 1) = P.template block<3, 1>(1, 0).transpose();
     P.template block<3, 3>(1, 1) = q.m2 * l_.BB;
@@ -73,7 +73,7 @@ class ExpectedLogJoint {
     Vector3<Scalar> m_r;   // E[m r]
     Vector3<Scalar> m2_r;  // E[m^2 r]
   };
-  Scalar trace_BB(const Moments& q) const noexcept { return l_.BB.cwiseProduct(q.C).sum(); }
+  Scalar trace_bb(const Moments& q) const noexcept { return l_.BB.cwiseProduct(q.C).sum(); }
 
   PayloadLikelihood<Scalar> l_;
   Vector4<Scalar> prior_mean_;

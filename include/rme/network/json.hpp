@@ -1,10 +1,11 @@
 #pragma once
-/// A network's JSON form (docs/weights.md). The only header of rme that needs nlohmann-json: link rme::json.
+/// A network's JSON form (docs/weights.md). Link rme::json.
 #include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <rme/core/describe_json.hpp>
 #include <rme/core/require.hpp>
 #include <rme/network/mismatch_network.hpp>
 #include <rme/network/weights.hpp>
@@ -38,17 +39,6 @@ namespace detail {
 constexpr const char* kWeightsFormat = "rme.mismatch_network";
 constexpr int kWeightsVersion = 1;
 constexpr int kDeepestTraining = 32;
-
-/// Names a value in an error message: short, whatever it is.
-inline std::string describe(const nlohmann::json& value) {
-  if (value.is_array()) return "an array of " + std::to_string(value.size());
-  if (value.is_object()) return "an object";
-  if (value.is_number_float() && !std::isfinite(value.get<double>())) return std::to_string(value.get<double>());
-  std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  constexpr std::size_t longest = 60;
-  if (text.size() > longest) text = text.substr(0, longest) + "...";
-  return text;
-}
 
 [[noreturn]] inline void refuse_json(const std::string& path, const std::string& expected, const std::string& got) {
   refuse(path + ": expected " + expected + ", got " + got);

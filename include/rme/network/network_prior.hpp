@@ -1,7 +1,9 @@
 #pragma once
 /// The network's guess as the estimator's prior.
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <cstddef>
+#include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
@@ -74,14 +76,18 @@ NetworkPrior<Scalar, Architecture, NetworkScalar>::NetworkPrior(const Network& n
     : network_(&network), config_(config), stride_(1) {
   static_assert(Network::Output::RowsAtCompileTime == 4, "a prior needs m, r_x, r_y, r_z");
   for (int i = 0; i < 4; ++i) {
-    detail::require(config.standard_deviation[i] > 0, "NetworkPriorConfig::standard_deviation", "> 0",
-                    config.standard_deviation[i]);
+    detail::require_positive(config.standard_deviation[i], "NetworkPriorConfig::standard_deviation", "> 0");
   }
-  detail::require(config.gravity.allFinite() && config.gravity.norm() > 0, "NetworkPriorConfig::gravity",
+  detail::require(plausible(config.gravity) && config.gravity.norm() > 0, "NetworkPriorConfig::gravity",
                   "finite and not zero", config.gravity.norm());
+  const Eigen::LLT<Matrix4<Scalar>> unknown(config.unknown.gaussian.covariance);
+  detail::require(config.unknown.gaussian.mean.allFinite() && config.unknown.gaussian.covariance.allFinite() &&
+                      unknown.info() == Eigen::Success,
+                  "NetworkPriorConfig::unknown", "a finite mean and a covariance that is positive definite",
+                  config.unknown.gaussian.covariance.determinant());
   detail::require(config.farthest > 0, "NetworkPriorConfig::farthest", "> 0", config.farthest);
-  detail::require(config.damping > 0, "NetworkPriorConfig::damping", "> 0", config.damping);
-  detail::require(dt > 0 && std::isfinite(dt), "NetworkPrior::dt", "> 0 s", dt);
+  detail::require_positive(config.damping, "NetworkPriorConfig::damping", "> 0");
+  detail::require_positive(dt, "NetworkPrior::dt", "> 0 s");
   detail::require(config.spacing / dt >= 1 && config.spacing / dt < 1e5, "NetworkPriorConfig::spacing",
                   "1 to 1e5 samples", config.spacing / dt);
   stride_ = static_cast<std::size_t>(std::lround(config.spacing / dt));
@@ -114,7 +120,7 @@ template <typename Scalar, typename Architecture, typename NetworkScalar>
 template <int Dofs>
 PayloadGaussian<Scalar> NetworkPrior<Scalar, Architecture, NetworkScalar>::operator()(
     const SampleWindow<Scalar, Dofs>& window, std::size_t count) const noexcept {
-  const PayloadGaussian<Scalar> fixed = config_.unknown(window, count);
+  PayloadGaussian<Scalar> fixed = config_.unknown(window, count);
   typename Network::Output out;
   if (!guess(window, count, out)) return fixed;
   const Vector4<Scalar> mean = out.template cast<Scalar>();

@@ -22,14 +22,14 @@ class FrictionDirection {
  public:
   using Vector = JointVector<Scalar, Dofs>;
 
-  /// @param dt             control period [s], > 0
+  /// @param dt             control period [s], > 0; whoever owns this has checked it
   /// @param rest_velocity  joints slower than this count as resting [rad/s]
   /// @param coulomb        friction to expect in tau_ext [N m]; a joint with 0 keeps its last direction
   FrictionDirection(double dt, Scalar rest_velocity, const Vector& coulomb) noexcept
       : rest_velocity_(rest_velocity),
         coulomb_(coulomb),
         blend_(static_cast<Scalar>(-std::expm1(-dt / kSmoothing))),
-        settling_(static_cast<int>(std::lround(kSettling / dt))) {
+        settling_(static_cast<int>(std::min(1e6, kSettling / dt))) {
     reset();
   }
 

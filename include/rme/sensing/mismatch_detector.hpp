@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/ring_buffer.hpp>
 #include <rme/core/status.hpp>
@@ -53,8 +54,7 @@ class MismatchDetector {
   explicit MismatchDetector(double dt, const MismatchDetectorConfig& config = MismatchDetectorConfig());
 
   /// Advances by one period.
-  /// @param signal  each entry within +-2^20 N m
-  /// @return Ok; NonFiniteInput for a NaN, an infinity, or an entry out of range: the detector is then as it was
+  /// @return Ok; NonFiniteInput, also for an entry beyond kLargestPlausible: the detector is then as it was
   Status update(const Signal& signal) noexcept;
 
   bool rapid_change() const noexcept { return rapid_change_; }  ///< false until the window is full
@@ -65,7 +65,6 @@ class MismatchDetector {
 
  private:
   static constexpr double kResolution = 1.0 / 4294967296.0;  // 2^-32 N m
-  static constexpr double kLargest = 1048576.0;              // 2^20 N m
   // Unsigned, because a running sum may wrap: differences stay right.
   using Sums = std::array<std::uint64_t, static_cast<std::size_t>(Channels)>;
   struct Span {  // samples of age begin .. begin + count - 1
@@ -102,13 +101,11 @@ MismatchDetector<Channels>::MismatchDetector(double dt, const MismatchDetectorCo
       stabilisation_(config.stabilisation_threshold),
       ratio_(config.stabilisation_ratio),
       sums_(1) {
-  const auto positive = [](double value, const char* field, const char* unit) {
-    detail::require(value > 0 && std::isfinite(value), field, unit, value);
-  };
-  positive(dt, "MismatchDetector::dt", "> 0 s");
-  positive(config.activation_threshold, "MismatchDetectorConfig::activation_threshold", "> 0 N m");
-  positive(config.stabilisation_threshold, "MismatchDetectorConfig::stabilisation_threshold", "> 0 N m");
-  positive(config.window, "MismatchDetectorConfig::window", "> 0 s");
+  using detail::require_positive;
+  require_positive(dt, "MismatchDetector::dt", "> 0 s");
+  require_positive(config.activation_threshold, "MismatchDetectorConfig::activation_threshold", "> 0 N m");
+  require_positive(config.stabilisation_threshold, "MismatchDetectorConfig::stabilisation_threshold", "> 0 N m");
+  require_positive(config.window, "MismatchDetectorConfig::window", "> 0 s");
   detail::require(ratio_ >= 0 && ratio_ < 1, "MismatchDetectorConfig::stabilisation_ratio", "0 to 1", ratio_);
   detail::require(config.window / dt >= 2 && config.window / dt < 1e7, "MismatchDetectorConfig::window",
                   "2 to 1e7 samples", config.window / dt);
@@ -124,6 +121,8 @@ MismatchDetector<Channels>::MismatchDetector(double dt, const MismatchDetectorCo
   oldest_edge_ = newest_edge_;
   oldest_edge_.begin = window - oldest_edge_.count;
   newest_ = span(0, config.newest_average, "MismatchDetectorConfig::newest_average");
+  detail::require(config.check_average >= 0 && config.check_average <= config.window,
+                  "MismatchDetectorConfig::check_average", "0 s to the window", config.check_average);
   for (std::size_t i = 0; i < checks_.size(); ++i)
     checks_[i] = span(config.check_age[i], config.check_average, "MismatchDetectorConfig::check_age");
   sums_ = RingBuffer<Sums>(window + 1);
@@ -139,7 +138,7 @@ void MismatchDetector<Channels>::reset() noexcept {
 
 template <int Channels>
 Status MismatchDetector<Channels>::update(const Signal& signal) noexcept {
-  if (!(signal.cwiseAbs().maxCoeff() <= kLargest) || !signal.allFinite()) return Status::NonFiniteInput;
+  if (!plausible(signal)) return Status::NonFiniteInput;
   Sums sums = sums_.newest();
   for (std::size_t i = 0; i < sums.size(); ++i)
     sums[i] += static_cast<std::uint64_t>(std::llround(signal[static_cast<int>(i)] / kResolution));

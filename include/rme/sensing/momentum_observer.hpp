@@ -1,6 +1,7 @@
 #pragma once
 /// The external joint torque of an arm that measures its joint torques and knows its own model.
 #include <cmath>
+#include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
@@ -45,7 +46,8 @@ class MomentumObserver {
   /// @param mass_matrix         M(q) now [kg m^2], of the arm without payload
   /// @param coriolis_transpose  C(q, dq)^T dq now, for C with dM/dt = C + C^T [N m]
   /// @param gravity             g(q) now, the term of the dynamics above [N m]
-  /// @return Ok, or NonFiniteInput, which leaves the observer as it was
+  /// @return Ok, or NonFiniteInput, also for torques and momenta beyond kLargestPlausible, which leaves the observer as
+  ///         it was
   Status update(const Vector& tau, const Vector& dq, const JointMatrix<Scalar, Dofs>& mass_matrix,
                 const Vector& coriolis_transpose, const Vector& gravity) noexcept;
 
@@ -67,7 +69,7 @@ class MomentumObserver {
 template <typename Scalar, int Dofs>
 MomentumObserver<Scalar, Dofs>::MomentumObserver(Scalar dt, const MomentumObserverConfig<Scalar, Dofs>& config)
     : dt_(dt) {
-  detail::require(dt > 0 && std::isfinite(dt), "MomentumObserver::dt", "> 0 s", dt);
+  detail::require_positive(dt, "MomentumObserver::dt", "> 0 s");
   for (int i = 0; i < Dofs; ++i)
     detail::require(config.gain[i] > 0 && config.gain[i] * dt <= 1, "MomentumObserverConfig::gain",
                     "> 0 rad/s and at most one over the period", config.gain[i]);
@@ -82,7 +84,8 @@ Status MomentumObserver<Scalar, Dofs>::update(const Vector& tau, const Vector& d
   const Vector drift = coriolis_transpose - gravity;
   const Vector remainder = (momentum - momentum_) / dt_ - tau - Scalar(0.5) * (drift + drift_);
   // Any NaN or infinity among the inputs, and any overflow, ends up in these.
-  if (!momentum.allFinite() || !drift.allFinite() || !remainder.allFinite()) return Status::NonFiniteInput;
+  if (!plausible(momentum) || !plausible(drift) || !plausible(tau) || !remainder.allFinite())
+    return Status::NonFiniteInput;
   if (started_) residual_ += blend_.cwiseProduct(remainder - residual_);
   momentum_ = momentum;
   drift_ = drift;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <rme/core/flange_motion.hpp>
+#include <rme/core/plausible.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 
@@ -21,15 +22,15 @@ struct Proprioception {
   std::optional<FlangeMotion<Scalar>> motion = std::nullopt;
 };
 
-/// @return Ok; NonFiniteInput; NotARotation if R^T R is further than 1e-3 from the identity or R is a mirror
+/// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; NotARotation if R^T R is further than 1e-3
+/// from the identity or R is a mirror
 template <typename Scalar, int Dofs>
 Status check(const Proprioception<Scalar, Dofs>& sample) noexcept {
-  if (!sample.tau_ext.allFinite() || !sample.jacobian.allFinite() || !sample.rotation.allFinite() ||
-      !sample.dq.allFinite())
+  if (!plausible(sample.tau_ext) || !plausible(sample.jacobian) || !sample.rotation.allFinite() ||
+      !plausible(sample.dq))
     return Status::NonFiniteInput;
-  if (sample.motion &&
-      !(sample.motion->angular_velocity.allFinite() && sample.motion->linear_acceleration.allFinite() &&
-        sample.motion->angular_acceleration.allFinite()))
+  if (sample.motion && !(plausible(sample.motion->angular_velocity) && plausible(sample.motion->linear_acceleration) &&
+                         plausible(sample.motion->angular_acceleration)))
     return Status::NonFiniteInput;
   const Matrix3<Scalar>& R = sample.rotation;
   const Scalar error = (R.transpose() * R - Matrix3<Scalar>::Identity()).cwiseAbs().maxCoeff();

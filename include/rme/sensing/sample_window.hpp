@@ -17,7 +17,8 @@ namespace rme {
 struct SampleWindowConfig {
   double duration = 1.5;  ///< how far back samples are kept [s], > 0
   /// Bandwidth of the first-order filter that tau_ext has gone through [rad/s]: the gain K of the arm's momentum
-  /// observer, 0 <= K dt <= 1. 0 if the torque is unfiltered. For an exactly discretised filter (1 - exp(-K dt)) / dt.
+  /// observer, 1e-6 <= K dt <= 1. 0 if the torque is unfiltered. For an exactly discretised filter (1 - exp(-K dt)) /
+  /// dt.
   double observer_bandwidth = 50;
   double rest_velocity = 1e-3;  ///< joints slower than this count as resting [rad/s], > 0
 };
@@ -77,13 +78,13 @@ SampleWindow<Scalar, Dofs>::SampleWindow(double dt, const SampleWindowConfig& co
       blend_(config.observer_bandwidth > 0 ? static_cast<Scalar>(config.observer_bandwidth * dt) : Scalar(1)),
       friction_(dt, static_cast<Scalar>(config.rest_velocity), coulomb),
       samples_(1) {
-  detail::require(dt > 0 && std::isfinite(dt), "SampleWindow::dt", "> 0 s", dt);
+  detail::require_positive(dt, "SampleWindow::dt", "> 0 s");
   detail::require(config.duration / dt >= 2 && config.duration / dt < 1e6, "SampleWindowConfig::duration",
                   "2 to 1e6 samples", config.duration / dt);
-  detail::require(config.observer_bandwidth >= 0 && config.observer_bandwidth * dt <= 1,
-                  "SampleWindowConfig::observer_bandwidth", ">= 0 rad/s and at most one over the period",
-                  config.observer_bandwidth);
-  detail::require(config.rest_velocity > 0, "SampleWindowConfig::rest_velocity", "> 0 rad/s", config.rest_velocity);
+  const double blend = config.observer_bandwidth * dt;
+  detail::require(blend == 0 || (blend >= 1e-6 && blend <= 1), "SampleWindowConfig::observer_bandwidth",
+                  "0 rad/s, or 1e-6 to 1 over the period", config.observer_bandwidth);
+  detail::require_positive(config.rest_velocity, "SampleWindowConfig::rest_velocity", "> 0 rad/s");
   samples_ = RingBuffer<Sample<Scalar, Dofs>>(static_cast<std::size_t>(std::lround(config.duration / dt)));
 }
 
@@ -104,7 +105,7 @@ Status SampleWindow<Scalar, Dofs>::push(const Proprioception<Scalar, Dofs>& in) 
     sample.motion.angular_acceleration = (twist.angular - last_twist.angular) / dt_;
   }
   if (in.motion) sample.motion = *in.motion;
-  // Finite but enormous numbers overflow here rather than in the inference.
+  // A period near zero overflows here rather than in the inference.
   if (!sample.tau.allFinite() || !sample.motion.linear_acceleration.allFinite() ||
       !sample.motion.angular_acceleration.allFinite())
     return Status::NonFiniteInput;

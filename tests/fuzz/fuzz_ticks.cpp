@@ -1,0 +1,184 @@
+// Any bytes as what happens to an arm and its estimator: objects and pushes, and ticks in which numbers are replaced by
+// any others, lost, repeated or frozen. Whatever happens, all that the estimator says is finite, the ramped torque
+// keeps its rate, and a refused tick leaves it as a twin that has not seen it.
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <rme/estimator.hpp>
+
+namespace {
+
+constexpr double kPeriod = 0.01;  // slow, so that few bytes make an event
+
+void check(bool good) {
+  if (!good) std::abort();
+}
+
+/// The bytes, one after the other; zero when there are no more.
+class Bytes {
+ public:
+  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
+  bool empty() const { return left_ == 0; }
+  std::uint8_t byte() {
+    if (left_ == 0) return 0;
+    --left_;
+    return *data_++;
+  }
+  double in(double low, double high) { return low + (high - low) * byte() / 255.0; }
+  /// Any of the numbers that there are.
+  template <typename Scalar>
+  Scalar number() {
+    std::uint8_t raw[sizeof(Scalar)];
+    for (std::uint8_t& b : raw) b = byte();
+    Scalar x;
+    std::memcpy(&x, raw, sizeof x);
+    return x;
+  }
+
+ private:
+  const std::uint8_t* data_;
+  std::size_t left_;
+};
+
+template <typename Scalar>
+class Host {
+ public:
+  using Tick = rme::Proprioception<Scalar, 6>;
+
+  Host() { good_.jacobian.setIdentity(); }
+
+  void run(Bytes& bytes) {
+    while (!bytes.empty()) {
+      switch (bytes.byte() % 12) {
+        case 0:
+          ticks(bytes.byte());
+          break;
+        case 1:  // an object, or none
+          load_ = rme::payload_wrench<Scalar>({Scalar(bytes.in(0, 3)), {Scalar(bytes.in(-0.1, 0.1)), 0, Scalar(0.1)}},
+                                              good_.rotation)
+                      .vector();
+          break;
+        case 2:  // a push
+          for (int i = 0; i < 6; ++i) push_[i] = Scalar(bytes.in(-30, 30));
+          break;
+        case 3:
+          push_.setZero();
+          break;
+        case 4: {  // one number of a tick replaced
+          Tick tick = next();
+          spoil(tick, bytes);
+          feed(tick);
+          break;
+        }
+        case 5:  // many ticks with the same number replaced
+          frozen_entry_ = bytes.byte();
+          frozen_value_ = bytes.number<Scalar>();
+          frozen_left_ = bytes.byte();
+          break;
+        case 6: {  // all of it scaled
+          Tick tick = next();
+          const Scalar factor = bytes.number<Scalar>();
+          tick.tau_ext *= factor;
+          tick.jacobian *= factor;
+          feed(tick);
+          break;
+        }
+        case 7:
+          for (int k = bytes.byte(); k > 0; --k) (void)next();  // lost
+          break;
+        case 8:
+          for (auto* estimator : {&estimator_, &twin_}) estimator->trigger();
+          break;
+        case 9: {
+          const double duration = bytes.number<double>();
+          for (auto* estimator : {&estimator_, &twin_}) estimator->tare(duration);
+          break;
+        }
+        case 10:
+          for (auto* estimator : {&estimator_, &twin_}) estimator->reset();
+          break;
+        default:
+          good_.dq.setConstant(Scalar(bytes.in(-1, 1)));
+      }
+    }
+  }
+
+ private:
+  static rme::EstimatorConfig<Scalar, 6> config() {
+    rme::EstimatorConfig<Scalar, 6> config;
+    config.refresh = 0.05;  // not at every tick, which would take most of the time
+    return config;
+  }
+  Tick next() {
+    good_.tau_ext += Scalar(0.4) * (load_ + push_ - good_.tau_ext);
+    return good_;
+  }
+  void ticks(int count) {
+    for (; count > 0; --count) {
+      Tick tick = next();
+      if (frozen_left_ > 0) {
+        --frozen_left_;
+        replace(tick, frozen_entry_, frozen_value_);
+      }
+      feed(tick);
+    }
+  }
+  static void spoil(Tick& tick, Bytes& bytes) {
+    if (bytes.byte() % 4 == 0) tick.motion.emplace();
+    const std::uint8_t entry = bytes.byte();
+    replace(tick, entry, bytes.number<Scalar>());
+  }
+  static void replace(Tick& tick, std::uint8_t entry, Scalar value) {
+    const int i = entry % 72;
+    if (i < 6)
+      tick.tau_ext[i] = value;
+    else if (i < 42)
+      tick.jacobian.data()[i - 6] = value;
+    else if (i < 51)
+      tick.rotation.data()[i - 42] = value;
+    else if (i < 57)
+      tick.dq[i - 51] = value;
+    else if (tick.motion && i < 60)
+      tick.motion->angular_velocity[i - 57] = value;
+    else if (tick.motion && i < 63)
+      tick.motion->linear_acceleration[i - 60] = value;
+    else if (tick.motion && i < 66)
+      tick.motion->angular_acceleration[i - 63] = value;
+  }
+
+  void feed(const Tick& tick) {
+    if (++fed_ > kMostTicks) return;
+    check(estimator_.compensation(tick.jacobian, tick.rotation).allFinite());
+    if (estimator_.update(tick) == rme::Status::Ok) check(twin_.update(tick) == rme::Status::Ok);
+    const rme::Estimate<Scalar>&a = estimator_.estimate(), &b = twin_.estimate();
+    check(a.posterior.mean.allFinite() && a.posterior.covariance.allFinite() && std::isfinite(a.confidence));
+    check((a.posterior.covariance.diagonal().array() >= 0).all());
+    check(a.posterior.mean == b.posterior.mean && a.posterior.covariance == b.posterior.covariance);
+    check(a.empty == b.empty && a.final == b.final && estimator_.phase() == twin_.phase());
+    check(std::isfinite(estimator_.verdict().log_odds()) && std::isfinite(estimator_.verdict().excess));
+    const auto before = ramp_.torque();
+    check(ramp_.update(estimator_.compensation(tick.jacobian, tick.rotation)) == rme::Status::Ok);
+    check((ramp_.torque() - before).cwiseAbs().maxCoeff() <= Scalar(5.001));
+  }
+
+  Tick good_;
+  rme::Vector6<Scalar> load_ = rme::Vector6<Scalar>::Zero(), push_ = rme::Vector6<Scalar>::Zero();
+  std::uint8_t frozen_entry_ = 0;
+  Scalar frozen_value_ = 0;
+  int frozen_left_ = 0;
+  static constexpr int kMostTicks = 600;  // two or three events
+  int fed_ = 0;
+  rme::Estimator<Scalar, 6> estimator_{kPeriod, config()}, twin_{kPeriod, config()};
+  rme::CompensationRamp<Scalar, 6> ramp_{Scalar(kPeriod)};
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Bytes bytes(data, size);
+  if (bytes.byte() % 2 == 0)
+    Host<double>().run(bytes);
+  else
+    Host<float>().run(bytes);
+  return 0;
+}

@@ -1,0 +1,267 @@
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <rme/estimator_json.hpp>
+#include <rme/rme.hpp>
+#include <string>
+#include <vector>
+
+#include "network/golden.hpp"
+#include "support/catch.hpp"
+#include "support/held_arm.hpp"
+
+namespace {
+
+using rme::testing::HeldArm;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kPeriod = HeldArm::kPeriod;
+
+/// One number of a configuration.
+struct Leaf {
+  std::string field;  ///< its name in the struct
+  std::function<void(double)> set;
+};
+
+/// All numbers of a configuration, nested structs and vectors included, as its JSON form knows them.
+template <typename Config>
+void collect_leaves(Config& config, std::vector<Leaf>& leaves) {
+  rme::detail::visit_fields(
+      config,
+      [&leaves](const char* name, auto& field) {
+        using Field = std::decay_t<decltype(field)>;
+        if constexpr (std::is_same_v<Field, bool>) {
+          // Neither value is out of range.
+        } else if constexpr (std::is_arithmetic_v<Field> || std::is_same_v<Field, rme::TorqueSign>) {
+          leaves.push_back({name, [&field](double x) {
+                              // An integer has no NaN; zero stands for whatever it must not be.
+                              if constexpr (std::is_floating_point_v<Field>)
+                                field = static_cast<Field>(x);
+                              else
+                                field = static_cast<Field>(std::abs(x) < 1e9 ? static_cast<int>(x) : 0);
+                            }});
+        } else if constexpr (std::is_base_of_v<Eigen::MatrixBase<Field>, Field>) {
+          leaves.push_back({name, [&field](double x) { field[1] = static_cast<typename Field::Scalar>(x); }});
+        } else if constexpr (std::is_convertible_v<Field, std::array<double, 3>>) {
+          leaves.push_back({name, [&field](double x) { field[1] = x; }});
+        } else if constexpr (std::is_convertible_v<Field, std::vector<rme::SensorModel<double, 7>>>) {
+          collect_leaves(field[1], leaves);
+        } else {
+          collect_leaves(field, leaves);
+        }
+      },
+      static_cast<Config*>(nullptr));
+}
+
+/// Of the construction with one number out of range; empty if it goes through.
+std::string refusal(std::size_t leaf, double value, std::string& field) {
+  rme::EstimatorConfig<double, 7> config;
+  std::vector<Leaf> leaves;
+  collect_leaves(config, leaves);
+  field = leaves[leaf].field;
+  leaves[leaf].set(value);
+  try {
+    rme::Estimator<double, 7> estimator(kPeriod, config);
+    // What is accepted has to work: an object that comes leaves finite numbers.
+    HeldArm arm(40);
+    for (int k = 0; k < 2500; ++k) {
+      if (k == 1200) arm.hold({1.1, {0.05, 0.02, 0.13}});
+      const auto& tick = arm.tick();
+      REQUIRE(estimator.update(tick) == rme::Status::Ok);
+      REQUIRE(estimator.compensation(tick.jacobian, tick.rotation).allFinite());
+    }
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::size_t leaf_count() {
+  rme::EstimatorConfig<double, 7> config;
+  std::vector<Leaf> leaves;
+  collect_leaves(config, leaves);
+  return leaves.size();
+}
+
+TEST_CASE("EstimatorConfig: a NaN in any of its fields is refused by name, with what was expected and what came",
+          "[robustness]") {
+  CHECK(leaf_count() == 39);
+  for (std::size_t leaf = 0; leaf < leaf_count(); ++leaf) {
+    std::string field;
+    const std::string message = refusal(leaf, kNan, field);
+    CAPTURE(field);
+    CHECK_THAT(message, contains("::" + field));
+    CHECK_THAT(message, contains(": expected "));
+    CHECK_THAT(message, contains(", got "));
+  }
+}
+
+TEST_CASE("EstimatorConfig: whatever else a field may hold, it is refused by name or works", "[robustness]") {
+  for (const double value : {kInfinity, -kInfinity, -1.0, 0.0, 1e-310, 1e300}) {
+    for (std::size_t leaf = 0; leaf < leaf_count(); ++leaf) {
+      std::string field;
+      const std::string message = refusal(leaf, value, field);
+      CAPTURE(field, value, message);
+      if (message.empty()) continue;
+      // Where the value is too much for the window that has to hold it, either of the two may be named.
+      const bool named = message.find("::" + field) != std::string::npos;
+      CHECK((named || message.find("SampleWindowConfig::duration") != std::string::npos));
+    }
+  }
+}
+
+/// Refused by name for each of `values`, whatever the other fields.
+template <typename Construct>
+void check_refused(const char* field, std::initializer_list<double> values, const Construct& construct) {
+  for (const double value : values) {
+    CAPTURE(field, value);
+    CHECK_THROWS_WITH(construct(value), contains(field) && contains(": expected ") && contains(", got "));
+  }
+}
+
+TEST_CASE("Settings: what a loop is made of refuses numbers out of range by name", "[robustness]") {
+  const auto not_positive = {0.0, -1.0, kNan, kInfinity, -kInfinity};
+  const auto not_finite = {kNan, kInfinity, -kInfinity};
+  using Vector7 = rme::JointVector<double, 7>;
+
+  check_refused("MismatchDetector::dt", not_positive, [](double x) { rme::MismatchDetector<7>{x}; });
+  check_refused("SampleWindow::dt", not_positive, [](double x) { rme::SampleWindow<double, 7>{x}; });
+  check_refused("MomentumObserver::dt", not_positive, [](double x) { rme::MomentumObserver<double, 7>{x}; });
+  check_refused("CompensationRamp::period", not_positive, [](double x) { rme::CompensationRamp<double, 7>{x}; });
+  check_refused("EnergyTank::period", not_positive, [](double x) { rme::EnergyTank<double>{x}; });
+  check_refused("PassivityMonitor::period", not_positive, [](double x) { rme::PassivityMonitor<double>{x}; });
+  check_refused("Estimator::dt", not_positive, [](double x) { rme::Estimator<double, 7>{x}; });
+
+  check_refused("MomentumObserverConfig::gain", not_positive, [](double x) {
+    rme::MomentumObserverConfig<double, 7> config;
+    config.gain[6] = x;
+    rme::MomentumObserver<double, 7>(kPeriod, config);
+  });
+  check_refused("CompensationRampConfig::torque_rate", {0.0, -1.0, kNan, 1e-322}, [](double x) {
+    rme::CompensationRampConfig<double, 7> config;
+    config.torque_rate[3] = x;
+    rme::CompensationRamp<double, 7>(kPeriod, config);
+  });
+  check_refused("EnergyTankConfig::capacity", not_positive, [](double x) {
+    rme::EnergyTank<double>(kPeriod, {x, 0, 1e-9});
+  });
+  check_refused("EnergyTankConfig::initial", {-1.0, 13.0, kNan, kInfinity}, [](double x) {
+    rme::EnergyTank<double>(kPeriod, {12, x, 2});
+  });
+  check_refused("EnergyTankConfig::reserve", {0.0, -1.0, 13.0, kNan, kInfinity}, [](double x) {
+    rme::EnergyTank<double>(kPeriod, {12, 12, x});
+  });
+
+  check_refused("BarrierPoles::first", not_positive, [](double x) { rme::BarrierPoles<double>(x, 1); });
+  check_refused("BarrierPoles::second", not_positive, [](double x) { rme::BarrierPoles<double>(1, x); });
+  const rme::JointLimitsConfig<double, 7> limits{Vector7::Constant(-2), Vector7::Constant(2)};
+  const auto with_limits = [&](auto change) {
+    auto config = limits;
+    change(config);
+    rme::JointLimits<double, 7>{config};
+  };
+  check_refused("JointLimitsConfig::q_min", {2.0, 3.0, kNan, kInfinity},
+                [&](double x) { with_limits([=](auto& c) { c.q_min[2] = x; }); });
+  check_refused("JointLimitsConfig::q_min", {-2.0, -3.0, kNan, -kInfinity},
+                [&](double x) { with_limits([=](auto& c) { c.q_max[2] = x; }); });
+  check_refused("JointLimitsConfig::velocity_limit", {0.0, -1.0, kNan},
+                [&](double x) { with_limits([=](auto& c) { c.velocity_limit[2] = x; }); });
+  check_refused("JointLimitsConfig::velocity_pole", not_positive,
+                [&](double x) { with_limits([=](auto& c) { c.velocity_pole = x; }); });
+  check_refused("JointLimitsConfig::weight", {0.0, -1.0, kNan},
+                [&](double x) { with_limits([=](auto& c) { c.weight = x; }); });
+
+  const auto with_cpic = [](auto change) {
+    rme::CpicConfig<double, 7> config;
+    config.torque_limit.setConstant(87);
+    change(config);
+    rme::Cpic<double, 7>{config};
+  };
+  check_refused("CpicConfig::torque_limit", {0.0, -1.0, kNan},
+                [&](double x) { with_cpic([=](auto& c) { c.torque_limit[5] = x; }); });
+  check_refused("CpicConfig::null_space_weight", not_positive,
+                [&](double x) { with_cpic([=](auto& c) { c.null_space_weight = x; }); });
+  check_refused("CpicConfig::moment_arm", not_positive,
+                [&](double x) { with_cpic([=](auto& c) { c.moment_arm = x; }); });
+  check_refused("NullSpaceConfig::clearance", not_positive,
+                [&](double x) { with_cpic([=](auto& c) { c.null_space.clearance = x; }); });
+  check_refused("NullSpaceConfig::damping", not_positive,
+                [&](double x) { with_cpic([=](auto& c) { c.null_space.damping = x; }); });
+
+  const auto with_damping = [](auto change) {
+    rme::PassiveControllerConfig<double> config;
+    change(config);
+    rme::PassiveController<double>{config};
+  };
+  check_refused("DirectionalDamping::along", not_positive,
+                [&](double x) { with_damping([=](auto& c) { c.linear.along = x; }); });
+  check_refused("DirectionalDamping::across", not_positive,
+                [&](double x) { with_damping([=](auto& c) { c.angular.across = x; }); });
+  check_refused("DirectionalDamping::blend", not_positive,
+                [&](double x) { with_damping([=](auto& c) { c.angular.blend = x; }); });
+
+  check_refused("LinearAttractorConfig::target", not_finite, [](double x) {
+    rme::LinearAttractor<double>({{0, x, 0}, 1, 0.5});
+  });
+  check_refused("LinearAttractorConfig::gain", not_positive, [](double x) {
+    rme::LinearAttractor<double>({{0, 0, 0}, x, 0.5});
+  });
+  check_refused("LinearAttractorConfig::max_speed", {0.0, -1.0, kNan}, [](double x) {
+    rme::LinearAttractor<double>({{0, 0, 0}, 1, x});
+  });
+  const auto with_cycle = [](auto change) {
+    rme::LimitCycleConfig<double> config;
+    change(config);
+    rme::LimitCycle<double>{config};
+  };
+  check_refused("LimitCycleConfig::center", not_finite,
+                [&](double x) { with_cycle([=](auto& c) { c.center[1] = x; }); });
+  check_refused("LimitCycleConfig::normal", {0.0, kNan, kInfinity},
+                [&](double x) { with_cycle([=](auto& c) { c.normal = x * Eigen::Vector3d::Ones(); }); });
+  check_refused("LimitCycleConfig::radius", not_positive,
+                [&](double x) { with_cycle([=](auto& c) { c.radius = x; }); });
+  check_refused("LimitCycleConfig::angular_speed", not_finite,
+                [&](double x) { with_cycle([=](auto& c) { c.angular_speed = x; }); });
+  check_refused("LimitCycleConfig::gain", not_positive, [&](double x) { with_cycle([=](auto& c) { c.gain = x; }); });
+  check_refused("OrientationAttractorConfig::gain", not_positive, [](double x) {
+    rme::OrientationAttractor<double>({Eigen::Quaterniond::Identity(), x});
+  });
+  check_refused("OrientationAttractorConfig::target", {0.0, 1.1, kNan, kInfinity}, [](double x) {
+    rme::OrientationAttractor<double>({Eigen::Quaterniond(x, 0, 0, 0), 2});
+  });
+
+  const auto with_posture = [](auto change) {
+    rme::PostureConfig<double, 7> config;
+    change(config);
+    rme::Posture<double, 7>{config};
+  };
+  check_refused("PostureConfig::rest", not_finite, [&](double x) { with_posture([=](auto& c) { c.rest[4] = x; }); });
+  check_refused("PostureConfig::stiffness", {-1.0, kNan, kInfinity},
+                [&](double x) { with_posture([=](auto& c) { c.stiffness = x; }); });
+  check_refused("PostureConfig::damping", {-1.0, kNan, kInfinity},
+                [&](double x) { with_posture([=](auto& c) { c.damping = x; }); });
+
+  const auto network = std::make_unique<rme::MismatchNetwork<double>>(*golden::random_weights<double>());
+  const auto with_prior = [&network](auto change) {
+    rme::NetworkPriorConfig<double> config;
+    change(config);
+    rme::NetworkPrior<double>(*network, kPeriod, config);
+  };
+  check_refused("NetworkPrior::dt", not_positive, [&](double x) { rme::NetworkPrior<double>(*network, x); });
+  check_refused("NetworkPriorConfig::standard_deviation", not_positive,
+                [&](double x) { with_prior([=](auto& c) { c.standard_deviation[2] = x; }); });
+  check_refused("NetworkPriorConfig::farthest", {0.0, -1.0, kNan},
+                [&](double x) { with_prior([=](auto& c) { c.farthest = x; }); });
+  check_refused("NetworkPriorConfig::unknown", {0.0, -1.0, kNan, kInfinity},
+                [&](double x) { with_prior([=](auto& c) { c.unknown.gaussian.covariance(1, 1) = x; }); });
+  check_refused("NetworkPriorConfig::gravity", {0.0, kNan, kInfinity},
+                [&](double x) { with_prior([=](auto& c) { c.gravity *= x; }); });
+  check_refused("NetworkPriorConfig::spacing", {0.0, -1.0, kNan, kInfinity, 1e-4},
+                [&](double x) { with_prior([=](auto& c) { c.spacing = x; }); });
+  check_refused("NetworkPriorConfig::damping", not_positive,
+                [&](double x) { with_prior([=](auto& c) { c.damping = x; }); });
+}
+
+}  // namespace
