@@ -214,7 +214,7 @@ template <typename Scalar, int Dofs, typename PriorSource>
 Status Estimator<Scalar, Dofs, PriorSource>::update(const Proprioception<Scalar, Dofs>& in) noexcept {
   Proprioception<Scalar, Dofs> sample = in;
   sample.tau_ext *= Scalar(static_cast<int>(config_.torque_sign));
-  const Status status = window_.push(sample);
+  const Status status = window_.push(sample, !(changing_ && latest_.final));  // a change that no estimate explains yet
   if (status != Status::Ok) return status;
   ++ticks_;
   if (phase_ == Phase::Estimating) phase_ = resting_phase();

@@ -39,7 +39,7 @@ TEST_CASE("FrictionDirection: at rest friction takes what the torque changes, up
   // tau_ext = payload - coulomb d: down by 0.1 N m is d up by half.
   CHECK(run(friction, 0.2, 0.9, 0) == Approx(-0.5).margin(1e-6));
   CHECK(run(friction, 0.2, 0.7, 0) == Approx(0.5).margin(1e-6));
-  CHECK(run(friction, 0.2, 0.2, 0) == 1);
+  CHECK(run(friction, 0.2, 0.5, 0) == 1);
   CHECK(run(friction, 0.2, 0.9, 0) == Approx(-0.5).margin(1e-6));
   CHECK(run(friction, 0.01, 0.9, 0.1) == 1);  // and it moves again
 }
@@ -54,6 +54,26 @@ TEST_CASE("FrictionDirection: while the flange accelerates a change of torque is
   CHECK(run(friction, 0.3, 0.8, 0, falls) == -1);
   CHECK(run(friction, 0.1, 0.8, 0) == Approx(-1).margin(1e-9));
   CHECK(run(friction, 0.2, 0.7, 0) == Approx(-0.5).margin(1e-6));  // from the level after the acceleration
+}
+
+TEST_CASE("FrictionDirection: more than friction can be is none of it", "[friction_direction]") {
+  Friction friction = joint();
+  run(friction, 0.2, 1, -0.5);
+  run(friction, 0.1, 1, 0);
+  CHECK(run(friction, 0.2, 4, 0) == -1);
+  CHECK(run(friction, 0.2, 3.9, 0) == Approx(-0.5).margin(1e-3));  // and from there on it is friction again
+}
+
+TEST_CASE("FrictionDirection: while a payload comes or goes a change of torque is not the friction's",
+          "[friction_direction]") {
+  Friction friction = joint();
+  run(friction, 0.2, 1, -0.5);
+  run(friction, 0.1, 1, 0);
+  double d = 0;
+  for (int k = 0; k < 200; ++k) d = friction.update(Vector(0.9), Vector(0.0), kStill, false)[0];
+  CHECK(d == -1);
+  run(friction, 0.04, 0.85, 0);  // and shortly after
+  CHECK(run(friction, 0.5, 0.85, 0) == Approx(-1).margin(0.01));
 }
 
 TEST_CASE("FrictionDirection: a sensor's offset that an observer takes its time to show is no friction",

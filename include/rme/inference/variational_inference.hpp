@@ -192,6 +192,9 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
       status = Status::Ok;
       break;
     }
+    // Nor do steps that swing about the optimum within the ELBO's round-off, as in float.
+    if (iteration > 8 && next.elbo - q.elbo <= 4 * Eigen::NumTraits<Scalar>::epsilon() * std::abs(q.elbo))
+      status = Status::Ok;
     q = next;
   }
   result.posterior = {q.mu, q.Sigma};

@@ -52,8 +52,9 @@ class SampleWindow {
                         const JointVector<Scalar, Dofs>& coulomb = JointVector<Scalar, Dofs>::Zero());
 
   /// Appends one tick. The first after construction or reset() has no predecessor: it is taken as a state at rest.
+  /// @param payload_steady  false while the payload is known to come or go (FrictionDirection)
   /// @return Ok; NonFiniteInput; NotARotation; unless Ok, the window is as it was
-  Status push(const Proprioception<Scalar, Dofs>& sample) noexcept;
+  Status push(const Proprioception<Scalar, Dofs>& sample, bool payload_steady = true) noexcept;
 
   std::size_t size() const noexcept { return samples_.size(); }
   std::size_t capacity() const noexcept { return samples_.capacity(); }
@@ -89,7 +90,7 @@ SampleWindow<Scalar, Dofs>::SampleWindow(double dt, const SampleWindowConfig& co
 }
 
 template <typename Scalar, int Dofs>
-Status SampleWindow<Scalar, Dofs>::push(const Proprioception<Scalar, Dofs>& in) noexcept {
+Status SampleWindow<Scalar, Dofs>::push(const Proprioception<Scalar, Dofs>& in, bool payload_steady) noexcept {
   const Status status = check(in);
   if (status != Status::Ok) return status;
   Sample<Scalar, Dofs> sample;
@@ -109,7 +110,7 @@ Status SampleWindow<Scalar, Dofs>::push(const Proprioception<Scalar, Dofs>& in) 
   if (!sample.tau.allFinite() || !sample.motion.linear_acceleration.allFinite() ||
       !sample.motion.angular_acceleration.allFinite())
     return Status::NonFiniteInput;
-  sample.direction = friction_.update(sample.tau, in.dq, sample.motion.linear_acceleration);
+  sample.direction = friction_.update(sample.tau, in.dq, sample.motion.linear_acceleration, payload_steady);
   samples_.push(sample);
   return Status::Ok;
 }
