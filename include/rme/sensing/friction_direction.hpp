@@ -16,8 +16,8 @@ namespace rme {
 ///
 /// An arm whose payload has just been compensated shows why this matters: the controller draws it back against friction
 /// that points the other way, and the last direction of motion would be wrong by up to twice the friction. While the
-/// flange accelerates the payload's torque is not steady, and d stays as it is; so it does where the torque changes by
-/// more than friction could, as that of an arm which is held in its place.
+/// flange accelerates the payload's torque is not steady, and d stays as it is. Where a payload is known to come, or
+/// the torque changes by more than friction could, d goes back to what it was before and stays there for a while.
 template <typename Scalar, int Dofs>
 class FrictionDirection {
  public:
@@ -30,14 +30,14 @@ class FrictionDirection {
       : rest_velocity_(rest_velocity),
         coulomb_(coulomb),
         blend_(static_cast<Scalar>(-std::expm1(-dt / kSmoothing))),
-        settling_(static_cast<int>(std::min(1e6, kSettling / dt))),
-        arrival_(static_cast<int>(std::min(1e6, kArrival / dt))) {
+        slow_blend_(static_cast<Scalar>(-std::expm1(-dt / kMemory))),
+        settling_(static_cast<int>(std::min(1e6, kSettling / dt))) {
     reset();
   }
 
   /// Advances by one period. Finite arguments only.
-  /// @param tau           external torque, the observer's lag taken out [N m]
-  /// @param acceleration  of the flange, linear [m/s^2]
+  /// @param tau             external torque, the observer's lag taken out [N m]
+  /// @param acceleration    of the flange, linear [m/s^2]
   /// @param payload_steady  whether, for all that is known, the payload is not just coming or going
   /// @return d; 0 for a joint of which nothing is known yet
   const Vector& update(const Vector& tau, const Vector& dq, const Vector3<Scalar>& acceleration,
@@ -47,10 +47,13 @@ class FrictionDirection {
     acceleration_ += blend_ * (acceleration - acceleration_);
     const Vector change = blend_ * (tau - level_);
     level_ += change;
-    if (!payload_steady) hold_ = hold_.cwiseMax(arrival_);
     const bool accelerates = acceleration_.norm() > static_cast<Scalar>(kSteady);
     for (int j = 0; j < Dofs; ++j) {
       const bool moves = std::abs(dq[j]) > rest_velocity_;
+      if (!moves && !payload_steady && coulomb_[j] > 0) {
+        if (hold_[j] == 0) restore(j);
+        hold_[j] = settling_;
+      }
       if (moves) {
         direction_[j] = dq[j] > 0 ? Scalar(1) : Scalar(-1);
       } else if (moved_[j] != 0) {
@@ -61,8 +64,7 @@ class FrictionDirection {
       } else if (coulomb_[j] > 0) {
         const Scalar d = stop_direction_[j] - (level_[j] - stop_level_[j]) / coulomb_[j];
         if (std::abs(d) > static_cast<Scalar>(kBeyond)) {  // something else that does not move the joint
-          direction_[j] = stop_direction_[j];
-          stop_level_[j] = level_[j];
+          restore(j);
           hold_[j] = settling_;
         } else {
           direction_[j] = std::max(Scalar(-1), std::min(Scalar(1), d));
@@ -70,6 +72,7 @@ class FrictionDirection {
       }
       hold_[j] = std::max(0, hold_[j] - 1);
       moved_[j] = moves ? 1 : 0;
+      slow_[j] += slow_blend_ * (direction_[j] - slow_[j]);
     }
     return direction_;
   }
@@ -83,21 +86,28 @@ class FrictionDirection {
     stop_level_.setZero();
     moved_.setZero();
     acceleration_.setZero();
+    slow_.setZero();
   }
 
  private:
+  // What has just changed was not friction: back to what was before.
+  void restore(int j) noexcept {
+    direction_[j] = stop_direction_[j] = slow_[j];
+    stop_level_[j] = level_[j];
+  }
+
   static constexpr double kSmoothing = 0.01;  // time constant: a single sample's noise is a share of the friction [s]
-  static constexpr double kSettling = 0.1;    // an observer that starts at zero shows the sensor's offset by then [s]
-  static constexpr double kArrival = 0.05;    // a payload that has just come still shows in a filter [s]
+  static constexpr double kSettling = 0.1;    // by then a filter shows what has come, be it payload or offset [s]
+  static constexpr double kMemory = 0.2;      // time constant: what d was before a change that has just begun [s]
   static constexpr double kBeyond = 2;        // Coulomb friction twice the expected is still friction
   static constexpr double kSteady = 0.5;      // below it 1 kg on an arm's length counts as steady [m/s^2]
 
   Scalar rest_velocity_;
   Vector coulomb_;
-  Scalar blend_;
-  int settling_, arrival_;
+  Scalar blend_, slow_blend_;
+  int settling_;
   bool started_ = false;
-  Vector direction_, stop_direction_;
+  Vector direction_, stop_direction_, slow_;
   Vector level_, stop_level_;                 // of tau, smoothed: now, and when the joint stopped [N m]
   Eigen::Matrix<int, Dofs, 1> moved_, hold_;  // in the last tick: 0 or 1; ticks for which d stays as it is
   Vector3<Scalar> acceleration_;              // smoothed
