@@ -1,11 +1,11 @@
 #pragma once
 /// Programs as their users run them.
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
 #include <string>
-#include <utility>
 
 #include "support/catch.hpp"
 
@@ -13,7 +13,9 @@ namespace rme::testing {
 
 /// A file in the current folder for as long as the test runs.
 struct TemporaryFile {
-  TemporaryFile(std::string file_name, const std::string& content) : name(std::move(file_name)) {
+  // The process's number keeps tests apart that ctest runs at the same time.
+  TemporaryFile(const std::string& file_name, const std::string& content)
+      : name(std::to_string(::getpid()) + "_" + file_name) {
     std::ofstream(name, std::ios::binary) << content;
   }
   ~TemporaryFile() { std::remove(name.c_str()); }
