@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -20,7 +19,7 @@
 #include <synthetic_arm/synthetic_arm.hpp>
 #include <vector>
 
-#include "io/arguments.hpp"
+#include "io/program.hpp"
 
 namespace {
 
@@ -60,8 +59,7 @@ struct Options {
   std::optional<std::string> output;
 };
 
-Options parse(int argc, char** argv) {
-  Arguments arguments(argc, argv);
+Options parse(Arguments& arguments) {
   const double mass = arguments.number("--mass").value_or(1.1);
   const std::vector<double> com = arguments.numbers("--com", 3).value_or(std::vector<double>{0.05, 0.02, 0.13});
   const double seed = arguments.number("--seed").value_or(1);
@@ -193,8 +191,8 @@ void print(const Options& options, const Run& with, const Run& without) {
                 1e3 * run->error_at(kAttach + kLater));
 }
 
-int run(int argc, char** argv) {
-  const Options options = parse(argc, argv);
+int run(Arguments& arguments) {
+  const Options options = parse(arguments);
   const Run with = simulate(options, true), without = simulate(options, false);
   if (options.output) {
     const std::filesystem::path folder = *options.output;
@@ -215,17 +213,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (std::any_of(argv + 1, argv + argc, [](const std::string& word) { return word == "--help" || word == "-h"; })) {
-    std::printf("%s", kUsage);
-    return 0;
-  }
-  try {
-    return run(argc, argv);
-  } catch (const ArgumentError& error) {
-    std::fprintf(stderr, "rme_01_static_payload: %s\n\n%s", error.what(), kUsage);
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "rme_01_static_payload: %s\n", error.what());
-    return 1;
-  }
+  return run_program("rme_01_static_payload", kUsage, argc, argv, run);
 }

@@ -9,14 +9,13 @@
 #include <cpic_host/energy_books.hpp>
 #include <cpic_host/host.hpp>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
 #include <synthetic_arm/panda.hpp>
 
-#include "io/arguments.hpp"
+#include "io/program.hpp"
 
 namespace {
 
@@ -96,8 +95,7 @@ Result run(bool constrained, double force, std::ofstream* csv) {
   return result;
 }
 
-int run(int argc, char** argv) {
-  Arguments arguments(argc, argv);
+int run(Arguments& arguments) {
   const double force = arguments.number("--force").value_or(45);
   const std::optional<std::string> output = arguments.text("--output");
   arguments.finish();
@@ -131,19 +129,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    if (std::string(argv[i]) == "--help") {
-      std::printf("%s", kUsage);
-      return 0;
-    }
-  }
-  try {
-    return run(argc, argv);
-  } catch (const ArgumentError& error) {
-    std::fprintf(stderr, "rme_02_constrained_interaction: %s\n\n%s", error.what(), kUsage);
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "rme_02_constrained_interaction: %s\n", error.what());
-    return 1;
-  }
+  return run_program("rme_02_constrained_interaction", kUsage, argc, argv, run);
 }

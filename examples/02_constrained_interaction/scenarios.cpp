@@ -8,12 +8,11 @@
 #include <cpic_host/energy_books.hpp>
 #include <cpic_host/host.hpp>
 #include <cstdio>
-#include <exception>
 #include <random>
 #include <string>
 #include <synthetic_arm/panda.hpp>
 
-#include "io/arguments.hpp"
+#include "io/program.hpp"
 
 namespace {
 
@@ -210,8 +209,7 @@ Outcome run(const ArmModel<7>& model, const Scenario& s, double period) {
   return out;
 }
 
-int run(int argc, char** argv) {
-  Arguments arguments(argc, argv);
+int run(Arguments& arguments) {
   const int count = static_cast<int>(arguments.number("--count").value_or(1000));
   const auto seed = static_cast<std::uint64_t>(arguments.number("--seed").value_or(1));
   const double margin = arguments.number("--margin").value_or(0.005);
@@ -286,19 +284,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    if (std::string(argv[i]) == "--help") {
-      std::printf("%s", kUsage);
-      return 0;
-    }
-  }
-  try {
-    return run(argc, argv);
-  } catch (const ArgumentError& error) {
-    std::fprintf(stderr, "rme_02_scenarios: %s\n\n%s", error.what(), kUsage);
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "rme_02_scenarios: %s\n", error.what());
-    return 1;
-  }
+  return run_program("rme_02_scenarios", kUsage, argc, argv, run);
 }

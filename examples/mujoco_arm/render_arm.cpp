@@ -18,8 +18,8 @@
 #include <synthetic_arm/panda.hpp>
 #include <vector>
 
-#include "io/arguments.hpp"
 #include "io/csv.hpp"
+#include "io/program.hpp"
 
 namespace {
 
@@ -222,20 +222,5 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    if (std::string(argv[i]) == "--help") {
-      std::printf("%s", kUsage);
-      return 0;
-    }
-  }
-  try {
-    Arguments arguments(argc, argv);
-    return run(arguments);
-  } catch (const ArgumentError& error) {
-    std::fprintf(stderr, "rme_render_arm: %s\n\n%s", error.what(), kUsage);
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "rme_render_arm: %s\n", error.what());
-    return 1;
-  }
+  return run_program("rme_render_arm", kUsage, argc, argv, run);
 }

@@ -27,7 +27,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/arguments.hpp"
+#include "io/program.hpp"
 #include "paper/calibration/random_host.hpp"
 #include "paper/calibration/scores.hpp"
 
@@ -90,8 +90,7 @@ std::size_t whole(Arguments& arguments, const std::string& option, std::size_t o
   return static_cast<std::size_t>(value);
 }
 
-Options parse(int argc, char** argv) {
-  Arguments arguments(argc, argv);
+Options parse(Arguments& arguments) {
   Options options;
   options.events = whole(arguments, "--events", options.events, 1);
   options.pushes = whole(arguments, "--pushes", 0, 0);
@@ -356,29 +355,21 @@ void study_quiet(const Options& options) {
   }
 }
 
+int run(Arguments& arguments) {
+  const Options options = parse(arguments);
+  if (options.output) {
+    std::error_code error;
+    std::filesystem::create_directories(*options.output, error);
+    if (error) throw ArgumentError("--output: cannot make " + *options.output + ": " + error.message());
+  }
+  const bool noticed = study_payloads(options);
+  if (options.pushes > 0) study_pushes(options);
+  if (options.quiet > 0) study_quiet(options);
+  return noticed ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (std::any_of(argv + 1, argv + argc, [](const std::string& word) { return word == "--help" || word == "-h"; })) {
-    std::printf("%s", kUsage);
-    return 0;
-  }
-  try {
-    const Options options = parse(argc, argv);
-    if (options.output) {
-      std::error_code error;
-      std::filesystem::create_directories(*options.output, error);
-      if (error) throw ArgumentError("--output: cannot make " + *options.output + ": " + error.message());
-    }
-    const bool noticed = study_payloads(options);
-    if (options.pushes > 0) study_pushes(options);
-    if (options.quiet > 0) study_quiet(options);
-    return noticed ? 0 : 1;
-  } catch (const ArgumentError& error) {
-    std::fprintf(stderr, "rme_calibration: %s\n\n%s", error.what(), kUsage);
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "rme_calibration: %s\n", error.what());
-    return 1;
-  }
+  return run_program("rme_calibration", kUsage, argc, argv, run);
 }

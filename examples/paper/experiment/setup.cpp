@@ -1,8 +1,6 @@
 #include "setup.hpp"
 
 #include <cmath>
-#include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <synthetic_arm/panda.hpp>
 
@@ -68,25 +66,6 @@ SyntheticArmConfig<7> Setup::arm(std::uint64_t trial, bool faults) const {
 
 std::string Setup::name() const {
   return std::string(mujoco ? "MuJoCo" : "synthetic arm") + (friction ? ", joint friction" : ", link-side sensing");
-}
-
-int run_program(const char* name, const char* usage, int argc, char** argv, int (*run)(Arguments&)) {
-  for (int i = 1; i < argc; ++i) {
-    if (const std::string word = argv[i]; word == "--help" || word == "-h") {
-      std::printf("%s", usage);
-      return 0;
-    }
-  }
-  try {
-    Arguments arguments(argc, argv);
-    return run(arguments);
-  } catch (const ArgumentError& error) {
-    std::fprintf(stderr, "%s: %s\n\n%s", name, error.what(), usage);
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", name, error.what());
-    return 1;
-  }
 }
 
 }  // namespace rme::examples

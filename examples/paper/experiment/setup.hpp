@@ -6,7 +6,7 @@
 #include <string>
 #include <synthetic_arm/synthetic_arm.hpp>
 
-#include "io/arguments.hpp"
+#include "io/program.hpp"
 
 namespace rme::examples {
 
@@ -50,8 +50,5 @@ struct Setup {
   SyntheticArmConfig<7> arm(std::uint64_t trial, bool faults = true) const;
   std::string name() const;  // "synthetic arm, link-side sensing"
 };
-
-/// Runs a program: catches what it throws, prints usage and errors. @return its exit code
-int run_program(const char* name, const char* usage, int argc, char** argv, int (*run)(Arguments&));
 
 }  // namespace rme::examples

@@ -15,7 +15,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <random>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/fixed_prior.hpp>
@@ -29,7 +28,7 @@
 #include <string>
 #include <vector>
 
-#include "io/arguments.hpp"
+#include "io/program.hpp"
 #include "paper/calibration/random_host.hpp"
 #include "paper/calibration/scores.hpp"
 
@@ -73,8 +72,7 @@ struct Options {
   bool quick = false;
 };
 
-Options parse(int argc, char** argv) {
-  Arguments arguments(argc, argv);
+Options parse(Arguments& arguments) {
   const auto whole = [&arguments](const char* option, double otherwise, double least) {
     const double value = arguments.number(option).value_or(otherwise);
     if (!(value >= least && value <= 1e6 && value == std::floor(value)))
@@ -233,38 +231,30 @@ bool check(const std::array<Answers, kSolvers>& answers) {
   return good;
 }
 
+int run(Arguments& arguments) {
+  const Options options = parse(arguments);
+  std::vector<Data> events;
+  for (std::size_t run = 0; run < options.events; ++run) {
+    events.push_back(simulate(options, run));
+    if ((run + 1) % 100 == 0) std::fprintf(stderr, "%zu of %zu payloads\n", run + 1, options.events);
+  }
+  std::printf("%zu payloads, seed %llu\n", options.events, static_cast<unsigned long long>(options.seed));
+  bool good = true;
+  for (const Model model : {kEstimator, kPublished}) {
+    const auto answers = ask_all(events, model, options.seed);
+    std::printf("\n%s\n%-16s %-27s | %-23s | %-27s | %8s | %8s\n%-16s", kModelNames[model], "", "mean absolute error",
+                "90 % intervals hold [%]", "half width of these", "ELBO", "median", "");
+    std::printf(" %6s %6s %6s %6s |", "m [g]", "x [mm]", "y", "z");
+    std::printf(" %5s %5s %5s %5s |", "m", "x", "y", "z");
+    std::printf(" %6s %6s %6s %6s | %8s | %8s\n", "m [g]", "x [mm]", "y", "z", "short by", "us");
+    for (std::size_t k = 0; k < kSolvers; ++k) print(kSolverNames[k], answers[k], answers[kExact]);
+    if (options.quick && model == kEstimator) good = check(answers);
+  }
+  return good ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (std::any_of(argv + 1, argv + argc, [](const std::string& word) { return word == "--help" || word == "-h"; })) {
-    std::printf("%s", kUsage);
-    return 0;
-  }
-  try {
-    const Options options = parse(argc, argv);
-    std::vector<Data> events;
-    for (std::size_t run = 0; run < options.events; ++run) {
-      events.push_back(simulate(options, run));
-      if ((run + 1) % 100 == 0) std::fprintf(stderr, "%zu of %zu payloads\n", run + 1, options.events);
-    }
-    std::printf("%zu payloads, seed %llu\n", options.events, static_cast<unsigned long long>(options.seed));
-    bool good = true;
-    for (const Model model : {kEstimator, kPublished}) {
-      const auto answers = ask_all(events, model, options.seed);
-      std::printf("\n%s\n%-16s %-27s | %-23s | %-27s | %8s | %8s\n%-16s", kModelNames[model], "", "mean absolute error",
-                  "90 % intervals hold [%]", "half width of these", "ELBO", "median", "");
-      std::printf(" %6s %6s %6s %6s |", "m [g]", "x [mm]", "y", "z");
-      std::printf(" %5s %5s %5s %5s |", "m", "x", "y", "z");
-      std::printf(" %6s %6s %6s %6s | %8s | %8s\n", "m [g]", "x [mm]", "y", "z", "short by", "us");
-      for (std::size_t k = 0; k < kSolvers; ++k) print(kSolverNames[k], answers[k], answers[kExact]);
-      if (options.quick && model == kEstimator) good = check(answers);
-    }
-    return good ? 0 : 1;
-  } catch (const ArgumentError& error) {
-    std::fprintf(stderr, "rme_posterior_families: %s\n\n%s", error.what(), kUsage);
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "rme_posterior_families: %s\n", error.what());
-    return 1;
-  }
+  return run_program("rme_posterior_families", kUsage, argc, argv, run);
 }

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "io/arguments.hpp"
+#include "io/program.hpp"
 #include "paper/calibration/random_host.hpp"
 #include "paper/calibration/scores.hpp"
 #include "run_network/network_file.hpp"
@@ -68,8 +68,7 @@ struct Options {
   std::optional<std::string> output;
 };
 
-Options parse(int argc, char** argv) {
-  Arguments arguments(argc, argv);
+Options parse(Arguments& arguments) {
   Options options;
   options.quick = arguments.flag("--quick");
   const auto whole = [&](const char* option, double otherwise, double least) {
@@ -249,40 +248,32 @@ void write_csv(const Options& options, const std::vector<DataSet>& data) {
   if (!file.flush()) throw ArgumentError("--output: cannot write to " + *options.output);
 }
 
+int run(Arguments& arguments) {
+  const Options options = parse(arguments);
+  if (options.output) {
+    std::error_code error;
+    std::filesystem::create_directories(*options.output, error);
+    if (error) throw ArgumentError("--output: cannot make " + *options.output + ": " + error.message());
+  }
+  std::vector<DataSet> data;
+  for (std::size_t run = 0; run < options.data_sets; ++run)
+    if (const auto d = simulate(options, run)) data.push_back(*d);
+  std::printf("%zu payloads, %zu of them noticed with every prior\n\n%-15s %9s %9s %9s %9s\n", options.data_sets,
+              data.size(), "mean square of", "m [g kg]", "x [mm^2]", "y [mm^2]", "z [mm^2]");
+  if (data.empty()) return 1;
+  std::vector<Scored> guesses;
+  for (const DataSet& d : data)
+    if (d.guess) guesses.push_back(scored(d, *d.guess, options.network.config.standard_deviation));
+  print("network alone", guesses, false);
+  std::printf("(%zu windows were beyond what it has learned from: the fixed prior stood in)\n",
+              data.size() - guesses.size());
+  const MeanSquares estimator = print(data, kEstimator), published = print(data, kPublished);
+  if (options.output) write_csv(options, data);
+  return !options.quick || (estimator[3] >= 2 && published.tail<3>().minCoeff() > 1) ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (std::any_of(argv + 1, argv + argc, [](const std::string& word) { return word == "--help" || word == "-h"; })) {
-    std::printf("%s", kUsage);
-    return 0;
-  }
-  try {
-    const Options options = parse(argc, argv);
-    if (options.output) {
-      std::error_code error;
-      std::filesystem::create_directories(*options.output, error);
-      if (error) throw ArgumentError("--output: cannot make " + *options.output + ": " + error.message());
-    }
-    std::vector<DataSet> data;
-    for (std::size_t run = 0; run < options.data_sets; ++run)
-      if (const auto d = simulate(options, run)) data.push_back(*d);
-    std::printf("%zu payloads, %zu of them noticed with every prior\n\n%-15s %9s %9s %9s %9s\n", options.data_sets,
-                data.size(), "mean square of", "m [g kg]", "x [mm^2]", "y [mm^2]", "z [mm^2]");
-    if (data.empty()) return 1;
-    std::vector<Scored> guesses;
-    for (const DataSet& d : data)
-      if (d.guess) guesses.push_back(scored(d, *d.guess, options.network.config.standard_deviation));
-    print("network alone", guesses, false);
-    std::printf("(%zu windows were beyond what it has learned from: the fixed prior stood in)\n",
-                data.size() - guesses.size());
-    const MeanSquares estimator = print(data, kEstimator), published = print(data, kPublished);
-    if (options.output) write_csv(options, data);
-    return !options.quick || (estimator[3] >= 2 && published.tail<3>().minCoeff() > 1) ? 0 : 1;
-  } catch (const ArgumentError& error) {
-    std::fprintf(stderr, "rme_prior_ablation: %s\n\n%s", error.what(), kUsage);
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "rme_prior_ablation: %s\n", error.what());
-    return 1;
-  }
+  return run_program("rme_prior_ablation", kUsage, argc, argv, run);
 }
