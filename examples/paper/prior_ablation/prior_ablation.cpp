@@ -10,7 +10,6 @@
 //
 // Posteriors of the published likelihood are Gaussians of full covariance as well: the paper's are diagonal, and their
 // intervals therefore narrower.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
