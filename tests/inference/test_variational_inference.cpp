@@ -118,6 +118,30 @@ TEST_CASE("infer: the ELBO does not fall when more iterations are allowed", "[vi
   }
 }
 
+TEST_CASE("infer: from the answer to nearly the same data it takes fewer steps to the same answer", "[vi]") {
+  const unsigned seed = 25;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  int steps = 0, steps_from_nearby = 0;
+  for (int k = 0; k < 500; ++k) {
+    CAPTURE(k);
+    auto event = random_event(random);
+    rme::InferenceResult<double> nearby, vi, from_nearby;
+    REQUIRE(rme::infer(likelihood_of(event), wide_prior(), nearby) == Status::Ok);
+    event.precision /= 2;  // as if the noise were found to be larger
+    const auto likelihood = likelihood_of(event);
+    REQUIRE(rme::infer(likelihood, wide_prior(), vi) == Status::Ok);
+    REQUIRE(rme::infer(likelihood, wide_prior(), from_nearby, {}, &nearby.posterior.mean) == Status::Ok);
+    const Eigen::Array4d sd = vi.posterior.standard_deviation();
+    CHECK(((from_nearby.posterior.mean - vi.posterior.mean).array().abs() / sd).maxCoeff() < 1e-3);
+    CHECK((from_nearby.posterior.standard_deviation().array() / sd - 1).abs().maxCoeff() < 1e-3);
+    steps += vi.iterations;
+    steps_from_nearby += from_nearby.iterations;
+  }
+  CAPTURE(steps, steps_from_nearby);
+  CHECK(3 * steps_from_nearby < 2 * steps);
+}
+
 TEST_CASE("infer: without data the posterior is the prior", "[vi]") {
   rme::InferenceResult<double> vi;
   REQUIRE(rme::infer(rme::PayloadLikelihood<double>(), wide_prior(), vi) == Status::Ok);
@@ -154,6 +178,8 @@ TEST_CASE("infer: bad input is named and leaves the result as it was", "[vi]") {
   auto prior = wide_prior();
   prior.covariance(2, 2) = -1;
   CHECK(rme::infer(rme::PayloadLikelihood<double>(), prior, vi) == Status::NotPositiveDefinite);
+  const Eigen::Vector4d start = {1, 0, std::nan(""), 0};
+  CHECK(rme::infer(rme::PayloadLikelihood<double>(), wide_prior(), vi, {}, &start) == Status::NonFiniteInput);
   CHECK(vi.iterations == 77);
 }
 

@@ -87,12 +87,13 @@ class EventInference {
     bool valid = false;
   };
   /// What each sensor model makes of a window, if the noise's variance is `excess` times what it says.
+  /// @param nearby  what it makes of nearly the same data, to start from if valid
   using All = std::array<Inferred, kMaxSensors>;
-  Inferred infer_with(std::size_t sensor, Scalar excess, const Statistics& window,
-                      const PayloadGaussian<Scalar>& prior) const noexcept;
+  Inferred infer_with(std::size_t sensor, Scalar excess, const Statistics& window, const PayloadGaussian<Scalar>& prior,
+                      const Inferred& nearby) const noexcept;
   /// The same from the likelihood of a window of `count` samples.
   Inferred infer_from(const PayloadLikelihood<Scalar>& likelihood, std::size_t sensor, Scalar excess, int count,
-                      const PayloadGaussian<Scalar>& prior) const noexcept;
+                      const PayloadGaussian<Scalar>& prior, const Inferred& nearby) const noexcept;
   /// The same with the excess, at least 1, that the likeliest model shows.
   All infer_all(const Statistics& window, const PayloadGaussian<Scalar>& prior, Scalar& excess) const noexcept;
   /// Of the noise, in a log evidence.
@@ -148,20 +149,21 @@ void EventInference<Scalar, Dofs>::learn_baseline(const Statistics& quiet) noexc
 
 template <typename Scalar, int Dofs>
 auto EventInference<Scalar, Dofs>::infer_with(std::size_t sensor, Scalar excess, const Statistics& window,
-                                              const PayloadGaussian<Scalar>& prior) const noexcept -> Inferred {
+                                              const PayloadGaussian<Scalar>& prior,
+                                              const Inferred& nearby) const noexcept -> Inferred {
   PayloadLikelihood<Scalar> likelihood;
   const JointVector<Scalar, Dofs> precision = sensors_[sensor].precision(dt_) / excess;
   if (window.likelihood(precision, nuisances_[sensor], likelihood) != Status::Ok) return Inferred();
-  return infer_from(likelihood, sensor, excess, window.count(), prior);
+  return infer_from(likelihood, sensor, excess, window.count(), prior, nearby);
 }
 
 template <typename Scalar, int Dofs>
 auto EventInference<Scalar, Dofs>::infer_from(const PayloadLikelihood<Scalar>& likelihood, std::size_t sensor,
-                                              Scalar excess, int count,
-                                              const PayloadGaussian<Scalar>& prior) const noexcept -> Inferred {
+                                              Scalar excess, int count, const PayloadGaussian<Scalar>& prior,
+                                              const Inferred& nearby) const noexcept -> Inferred {
   Inferred out;
   InferenceResult<Scalar> result;
-  const Status status = infer(likelihood, prior, result, config_);
+  const Status status = infer(likelihood, prior, result, config_, nearby.valid ? &nearby.posterior.mean : nullptr);
   out.valid = status == Status::Ok || status == Status::NotConverged;
   if (!out.valid) return out;
   out.posterior = result.posterior;
@@ -179,12 +181,12 @@ auto EventInference<Scalar, Dofs>::infer_all(const Statistics& window, const Pay
   excess = Scalar(1);
   const Inferred* best = nullptr;
   for (std::size_t k = 0; k < sensors_.size(); ++k) {
-    all[k] = infer_with(k, excess, window, prior);
+    all[k] = infer_with(k, excess, window, prior, Inferred());
     if (all[k].valid && (best == nullptr || all[k].log_evidence > best->log_evidence)) best = &all[k];
   }
   if (!learn_noise_ || best == nullptr || !(best->misfit > 1)) return all;
   excess = best->misfit;
-  for (std::size_t k = 0; k < sensors_.size(); ++k) all[k] = infer_with(k, excess, window, prior);
+  for (std::size_t k = 0; k < sensors_.size(); ++k) all[k] = infer_with(k, excess, window, prior, all[k]);
   return all;
 }
 
@@ -217,7 +219,7 @@ Verdict<Scalar> EventInference<Scalar, Dofs>::judge(const Statistics& settled, c
       continue;
     const PayloadLikelihood<Scalar> likelihood = Statistics::likelihood(joints);
     const Inferred of_payload =
-        &settled == &event ? of_event[k] : infer_from(likelihood, k, excess, settled.count(), prior);
+        &settled == &event ? of_event[k] : infer_from(likelihood, k, excess, settled.count(), prior, of_event[k]);
     if (!of_payload.valid) continue;
     posterior.add(of_event[k].posterior, of_event[k].log_evidence);
     const Scalar factor = log_factor(k, excess, settled.count());
