@@ -165,7 +165,7 @@ TEST_CASE("infer: float agrees with double to its precision", "[vi]") {
     REQUIRE(rme::infer(l, wide_prior(), vi) == Status::Ok);
     REQUIRE(rme::infer(lf, prior, vif) == Status::Ok);
     const Eigen::Array4d sd = vi.posterior.standard_deviation();
-    CHECK(((vif.posterior.mean.cast<double>() - vi.posterior.mean).array().abs() / sd).maxCoeff() < 0.02);
+    CHECK(((vif.posterior.mean.cast<double>() - vi.posterior.mean).array().abs() / sd).maxCoeff() < 0.01);
   }
 }
 

@@ -132,7 +132,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
   const ExpectedLogJoint<Scalar> joint(likelihood, prior.mean, prior_precision);
   using std::sqrt;
   // In float a gradient is not known better than this.
-  const Scalar tolerance = std::max(Scalar(config.tolerance), 32 * sqrt(Eigen::NumTraits<Scalar>::epsilon()));
+  const Scalar tolerance = std::max(Scalar(config.tolerance), 4 * sqrt(Eigen::NumTraits<Scalar>::epsilon()));
 
   // Entropy of q and normaliser of the prior; their powers of 2 pi cancel.
   const Scalar constant = Scalar(2) - prior_factor.log_det_lower();
@@ -173,6 +173,8 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
     ++iteration;
     const Vector4<Scalar> gradient = joint.gradient(q.mu, q.Sigma);
     const Matrix4<Scalar> target = joint.precision(q.mu, q.Sigma);
+    // ELBOs that are nearer to each other than this are the same but for round-off, as those of float soon are.
+    const Scalar round_off = 4 * Eigen::NumTraits<Scalar>::epsilon() * std::abs(q.elbo);
     Iterate next;
     bool found = false;
     // Where the posterior is far from Gaussian, full steps of the precision swing about the optimum; half steps settle.
@@ -187,18 +189,15 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
         const auto deviation = next.Sigma.diagonal().array().sqrt();
         const Scalar moved = (direction.array().abs() / deviation).maxCoeff();
         const Scalar widened = (q.Sigma.diagonal().array().sqrt() / deviation - Scalar(1)).abs().maxCoeff();
-        // So short a step changes the ELBO by less than its round-off: nothing is left to compare.
+        // So short a step changes the ELBO by nothing that counts.
         if (moved < tolerance && widened < tolerance) status = Status::Ok;
       }
-      found = status == Status::Ok || next.elbo >= q.elbo;
+      found = status == Status::Ok || next.elbo >= q.elbo - round_off;
     }
-    if (!found) {  // no representable step raises the ELBO
+    if (!found) {  // every representable step lowers the ELBO
       status = Status::Ok;
       break;
     }
-    // Nor do steps that swing about the optimum within the ELBO's round-off, as in float.
-    if (iteration > 8 && next.elbo - q.elbo <= 4 * Eigen::NumTraits<Scalar>::epsilon() * std::abs(q.elbo))
-      status = Status::Ok;
     q = next;
   }
   result.posterior = {q.mu, q.Sigma};
