@@ -62,7 +62,7 @@ struct Options {
 Options parse(Arguments& arguments) {
   const double mass = arguments.number("--mass").value_or(1.1);
   const std::vector<double> com = arguments.numbers("--com", 3).value_or(std::vector<double>{0.05, 0.02, 0.13});
-  const double seed = arguments.number("--seed").value_or(1);
+  const std::size_t seed = arguments.whole("--seed", 0).value_or(1);
   const bool no_noise = arguments.flag("--no-noise"), no_offset = arguments.flag("--no-offset");
   Options options;
   options.friction = arguments.flag("--friction");
@@ -72,11 +72,9 @@ Options parse(Arguments& arguments) {
   if (!(mass > 0 && mass <= kMaxMass)) throw ArgumentError("--mass: must be above 0 and at most 3 kg");
   for (const double x : com)
     if (std::abs(x) > kMaxReach) throw ArgumentError("--com: must lie within 0.5 m of the flange in each direction");
-  if (!(seed >= 0 && seed <= 1e9 && seed == std::floor(seed)))
-    throw ArgumentError("--seed: must be a whole number from 0 to 1e9");
 
   options.payload = box(mass, {com[0], com[1], com[2]}, {0.06, 0.06, 0.1});
-  options.arm = with_typical_faults(panda(), static_cast<std::uint64_t>(seed));
+  options.arm = with_typical_faults(panda(), seed);
   options.arm.dt = kPeriod;
   if (no_noise) options.arm.torque_noise.setZero();
   if (no_offset) options.arm.torque_offset.setZero();

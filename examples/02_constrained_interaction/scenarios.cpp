@@ -210,11 +210,10 @@ Outcome run(const ArmModel<7>& model, const Scenario& s, double period) {
 }
 
 int run(Arguments& arguments) {
-  const int count = static_cast<int>(arguments.number("--count").value_or(1000));
-  const auto seed = static_cast<std::uint64_t>(arguments.number("--seed").value_or(1));
+  const int count = static_cast<int>(arguments.whole("--count", 5, 1000000).value_or(1000));
+  const std::uint64_t seed = arguments.whole("--seed", 0).value_or(1);
   const double margin = arguments.number("--margin").value_or(0.005);
   arguments.finish();
-  if (count < 5) throw ArgumentError("--count: expected 5 or more");
 
   const ArmModel<7>& model = panda();
   Outcome all, overloaded, empty_handed, loaded;

@@ -1,10 +1,13 @@
 #pragma once
 /// Command lines of the example programs: options that are not understood are refused, never skipped.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/number.hpp"
@@ -68,6 +71,29 @@ class Arguments {
   std::optional<double> number(const std::string& option) {
     const auto value = numbers(option, 1);
     return value ? std::optional<double>(value->front()) : std::nullopt;
+  }
+
+  /// The whole number after the option, from `least` to `most`.
+  std::optional<std::size_t> whole(const std::string& option, std::size_t least, std::size_t most = 1000000000) {
+    const auto value = number(option);
+    if (!value) return std::nullopt;
+    if (!(*value >= static_cast<double>(least) && *value <= static_cast<double>(most) && *value == std::floor(*value)))
+      throw ArgumentError(option + ": must be a whole number from " + std::to_string(least) + " to " +
+                          std::to_string(most));
+    return static_cast<std::size_t>(*value);
+  }
+
+  /// The value that goes with the name after the option.
+  template <typename Value>
+  std::optional<Value> choice(const std::string& option, const std::vector<std::pair<std::string, Value>>& choices) {
+    const auto name = text(option);
+    if (!name) return std::nullopt;
+    std::string all;
+    for (const auto& [known, value] : choices) {
+      if (known == *name) return value;
+      all += (all.empty() ? "" : ", ") + known;
+    }
+    throw ArgumentError(option + ": \"" + *name + "\" is none of " + all);
   }
 
   /// The first word left, which must not be an option.

@@ -47,9 +47,9 @@ constexpr const char* kColumns =
     R"(["friction_shows", [1]]], )";
 
 struct Settings {
-  int events = 1000, windows = 4;
-  std::uint64_t seed = 1;
-  bool any_pose = true;
+  int events, windows;
+  std::uint64_t seed;
+  bool any_pose;
   double damping = 1e-2;
 };
 
@@ -187,13 +187,6 @@ bool generate(const Settings& settings, const std::string& path, unsigned thread
   return static_cast<bool>(file.flush());
 }
 
-int whole(Arguments& arguments, const char* option, int otherwise) {
-  const double value = arguments.number(option).value_or(otherwise);
-  if (!(value >= 1 && value <= 1e9) || value != std::floor(value))
-    throw ArgumentError(std::string(option) + ": expected a whole number >= 1");
-  return static_cast<int>(value);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -202,16 +195,14 @@ int main(int argc, char** argv) {
   unsigned threads = 1;
   try {
     Arguments arguments(argc, argv);
-    settings.events = whole(arguments, "--events", settings.events);
-    settings.windows = whole(arguments, "--windows", settings.windows);
-    settings.seed = static_cast<std::uint64_t>(whole(arguments, "--seed", 1));
-    const std::string pose = arguments.text("--pose").value_or("any");
-    if (pose != "any" && pose != "ready") throw ArgumentError("--pose: expected any or ready");
-    settings.any_pose = pose == "any";
+    settings.events = static_cast<int>(arguments.whole("--events", 1).value_or(1000));
+    settings.windows = static_cast<int>(arguments.whole("--windows", 1, 1000).value_or(4));
+    settings.seed = arguments.whole("--seed", 0).value_or(1);
+    settings.any_pose = arguments.choice<bool>("--pose", {{"any", true}, {"ready", false}}).value_or(true);
     settings.damping = arguments.number("--damping").value_or(settings.damping);
     if (!(settings.damping > 0)) throw ArgumentError("--damping: expected a number > 0");
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-    threads = static_cast<unsigned>(whole(arguments, "--threads", static_cast<int>(cores)));
+    threads = static_cast<unsigned>(arguments.whole("--threads", 1, 1000).value_or(cores));
     path = arguments.positional("FILE");
     arguments.finish();
   } catch (const ArgumentError& error) {

@@ -64,4 +64,20 @@ TEST_CASE("Arguments: a range is two numbers with a colon in between", "[argumen
   CHECK_THROWS_AS(arguments({"--baseline", "0.1,0.3"}).numbers("--baseline", 2, ':'), ArgumentError);
 }
 
+TEST_CASE("Arguments: a whole number has no fraction and keeps its bounds", "[arguments]") {
+  CHECK(arguments({"--trials", "1"}).whole("--trials", 1, 20) == 1u);
+  CHECK(arguments({"--trials", "2e1"}).whole("--trials", 1, 20) == 20u);
+  CHECK_FALSE(arguments({}).whole("--trials", 1, 20).has_value());
+  const char* const bad = GENERATE("0", "21", "-1", "1.5", "1e300");
+  CHECK_THROWS_WITH(arguments({"--trials", bad}).whole("--trials", 1, 20),
+                    "--trials: must be a whole number from 1 to 20");
+}
+
+TEST_CASE("Arguments: a choice is one of the names that are known", "[arguments]") {
+  const std::vector<std::pair<std::string, int>> choices = {{"one", 1}, {"two", 2}};
+  CHECK(arguments({"--take", "two"}).choice("--take", choices) == 2);
+  CHECK_FALSE(arguments({}).choice("--take", choices).has_value());
+  CHECK_THROWS_WITH(arguments({"--take", "three"}).choice("--take", choices), "--take: \"three\" is none of one, two");
+}
+
 }  // namespace

@@ -69,46 +69,28 @@ struct Options {
   std::optional<std::string> output;
 };
 
-// The value that goes with the name that the option was given.
-template <typename Value>
-Value choice(Arguments& arguments, const std::string& option, Value otherwise,
-             const std::vector<std::pair<std::string, Value>>& choices) {
-  const auto name = arguments.text(option);
-  if (!name) return otherwise;
-  std::string all;
-  for (const auto& [known, value] : choices) {
-    if (known == *name) return value;
-    all += (all.empty() ? "" : ", ") + known;
-  }
-  throw ArgumentError(option + ": \"" + *name + "\" is none of " + all);
-}
-
-std::size_t whole(Arguments& arguments, const std::string& option, std::size_t otherwise, std::size_t least) {
-  const double value = arguments.number(option).value_or(static_cast<double>(otherwise));
-  if (!(value >= static_cast<double>(least) && value <= 1e6 && value == std::floor(value)))
-    throw ArgumentError(option + ": must be a whole number from " + std::to_string(least) + " to 1e6");
-  return static_cast<std::size_t>(value);
-}
-
 Options parse(Arguments& arguments) {
   Options options;
-  options.events = whole(arguments, "--events", options.events, 1);
-  options.pushes = whole(arguments, "--pushes", 0, 0);
-  options.threads = whole(arguments, "--threads", 1, 1);
-  options.seed = whole(arguments, "--seed", 1, 0);
+  options.events = arguments.whole("--events", 1, 1000000).value_or(options.events);
+  options.pushes = arguments.whole("--pushes", 0, 1000000).value_or(0);
+  options.threads = arguments.whole("--threads", 1, 1000).value_or(1);
+  options.seed = arguments.whole("--seed", 0).value_or(1);
   options.quiet = arguments.number("--quiet").value_or(0);
   if (!(options.quiet >= 0 && options.quiet <= 1e6)) throw ArgumentError("--quiet: must be from 0 to 1e6 s");
-  options.sensing = choice<Sensing>(
-      arguments, "--sensing", Sensing::Mixed,
-      {{"link_side", Sensing::LinkSide}, {"joint_friction", Sensing::JointFriction}, {"mixed", Sensing::Mixed}});
-  options.truth =
-      choice<Truth>(arguments, "--truth", Truth::Uniform, {{"uniform", Truth::Uniform}, {"prior", Truth::Prior}});
+  options.sensing = arguments
+                        .choice<Sensing>("--sensing", {{"link_side", Sensing::LinkSide},
+                                                       {"joint_friction", Sensing::JointFriction},
+                                                       {"mixed", Sensing::Mixed}})
+                        .value_or(Sensing::Mixed);
+  options.truth = arguments.choice<Truth>("--truth", {{"uniform", Truth::Uniform}, {"prior", Truth::Prior}})
+                      .value_or(Truth::Uniform);
   using Presets = std::vector<std::string>;
-  options.presets = choice<Presets>(arguments, "--preset", options.presets,
-                                    {{"unknown", {"unknown"}},
-                                     {"link_side", {"link_side"}},
-                                     {"joint_friction", {"joint_friction"}},
-                                     {"matching", {"matching"}}});
+  options.presets = arguments
+                        .choice<Presets>("--preset", {{"unknown", {"unknown"}},
+                                                      {"link_side", {"link_side"}},
+                                                      {"joint_friction", {"joint_friction"}},
+                                                      {"matching", {"matching"}}})
+                        .value_or(options.presets);
   options.output = arguments.text("--output");
   arguments.finish();
   return options;

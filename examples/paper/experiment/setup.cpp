@@ -1,6 +1,5 @@
 #include "setup.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <synthetic_arm/panda.hpp>
 
@@ -28,19 +27,13 @@ RigidBody experiment_payload(double mass, const Eigen::Vector3d& com) {
 
 Setup Setup::parse(Arguments& arguments) {
   Setup setup;
-  const std::string physics = arguments.text("--physics").value_or("synthetic");
-  setup.mujoco = physics == "mujoco";
-  if (!setup.mujoco && physics != "synthetic")
-    throw ArgumentError("--physics: \"" + physics + "\" is none of synthetic, mujoco");
+  setup.mujoco = arguments.choice<bool>("--physics", {{"synthetic", false}, {"mujoco", true}}).value_or(false);
 #ifndef RME_HAS_MUJOCO
   if (setup.mujoco) throw ArgumentError("--physics: MuJoCo was not found when this was built (Debian: libmujoco-dev)");
 #endif
   setup.friction = arguments.flag("--friction");
   setup.quick = arguments.flag("--quick");
-  const double seed = arguments.number("--seed").value_or(1);
-  if (!(seed >= 0 && seed <= 1e9 && seed == std::floor(seed)))
-    throw ArgumentError("--seed: must be a whole number from 0 to 1e9");
-  setup.seed = static_cast<std::uint64_t>(seed);
+  setup.seed = arguments.whole("--seed", 0).value_or(1);
   setup.output = arguments.text("--output");
   if (setup.output) {
     std::error_code error;

@@ -94,11 +94,8 @@ std::string often(std::vector<double> times, std::size_t all) {
 
 int run(Arguments& arguments) {
   const Setup setup = Setup::parse(arguments);
-  const double count = arguments.number("--trials").value_or(setup.quick ? 2 : 20);
-  if (!(count >= 1 && count <= 1000 && count == std::floor(count)))
-    throw ArgumentError("--trials: must be a whole number from 1 to 1000");
+  const std::size_t trials = arguments.whole("--trials", 1, 1000).value_or(setup.quick ? 2 : 20);
   arguments.finish();
-  const auto trials = static_cast<std::size_t>(count);
 
   CsvFile csv(setup.output, "detection.csv", "scenario,t,norm,rapid_change,stabilised,detected,phase,mass,true_mass");
   MarkdownTable table({"event", "published conditions hold", "first early estimate", "final estimate",

@@ -4,7 +4,6 @@
 // Every trial draws its own sensor offsets and noise. With --output the first trial of each payload is written as CSV:
 // the errors over time, and the joint angles for a picture of the arm.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "paper/experiment/report.hpp"
@@ -78,11 +77,8 @@ Result run_trial(const Setup& setup, const PublishedTrial& payload, std::uint64_
 
 int run(Arguments& arguments) {
   const Setup setup = Setup::parse(arguments);
-  const double count = arguments.number("--trials").value_or(setup.quick ? 1 : 5);
-  if (!(count >= 1 && count <= 1000 && count == std::floor(count)))
-    throw ArgumentError("--trials: must be a whole number from 1 to 1000");
+  const std::size_t trials = arguments.whole("--trials", 1, 1000).value_or(setup.quick ? 1 : 5);
   arguments.finish();
-  const auto trials = static_cast<std::size_t>(count);
 
   const std::string joints = "m,t,q1,q2,q3,q4,q5,q6,q7";
   Files files{{setup.output, "errors.csv", "m,with,t,position,orientation,mass"},

@@ -8,7 +8,6 @@
 // Printed are, over windows at random instants: what is estimated where nothing was injected; payloads of 0 to 1.5 kg
 // with the instant known to the estimator, and with the instant left to the detector; and how often the detector finds
 // something in the log as it is. Windows overlap where the log is short, so that their errors are not independent.
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -54,18 +53,11 @@ struct Options {
   std::optional<std::string> output;
 };
 
-std::size_t whole(Arguments& arguments, const std::string& option, std::size_t otherwise, std::size_t least) {
-  const double value = arguments.number(option).value_or(static_cast<double>(otherwise));
-  if (!(value >= static_cast<double>(least) && value <= 1e6 && value == std::floor(value)))
-    throw ArgumentError(option + ": must be a whole number from " + std::to_string(least) + " to 1e6");
-  return static_cast<std::size_t>(value);
-}
-
 Options parse(int argc, char** argv) {
   Arguments arguments(argc, argv);
   Options options;
-  options.windows = whole(arguments, "--windows", options.windows, 1);
-  options.seed = whole(arguments, "--seed", options.seed, 0);
+  options.windows = arguments.whole("--windows", 1, 1000000).value_or(options.windows);
+  options.seed = arguments.whole("--seed", 0).value_or(options.seed);
   options.span = arguments.numbers("--span", 2, ':');
   if (options.span && !((*options.span)[0] < (*options.span)[1])) throw ArgumentError("--span: T0 must be below T1");
   options.output = arguments.text("--output");

@@ -144,11 +144,8 @@ struct Summary {
 
 int run(Arguments& arguments) {
   const Setup setup = Setup::parse(arguments);
-  const double count = arguments.number("--trials").value_or(setup.quick ? 1 : 4);
-  if (!(count >= 1 && count <= 1000 && count == std::floor(count)))
-    throw ArgumentError("--trials: must be a whole number from 1 to 1000");
+  const std::size_t trials = arguments.whole("--trials", 1, 1000).value_or(setup.quick ? 1 : 4);
   arguments.finish();
-  const auto trials = static_cast<std::size_t>(count);
   std::vector<PublishedTrial> payloads(published_trials().begin(), published_trials().end());
   if (setup.quick) payloads = {payloads[1], payloads[4]};
 

@@ -73,20 +73,12 @@ struct Options {
 };
 
 Options parse(Arguments& arguments) {
-  const auto whole = [&arguments](const char* option, double otherwise, double least) {
-    const double value = arguments.number(option).value_or(otherwise);
-    if (!(value >= least && value <= 1e6 && value == std::floor(value)))
-      throw ArgumentError(std::string(option) + ": must be a whole number of at most 1e6");
-    return value;
-  };
   Options options;
   options.quick = arguments.flag("--quick");
-  options.events = static_cast<std::size_t>(whole("--events", options.quick ? 100 : 1000, 1));
-  options.seed = static_cast<std::uint64_t>(whole("--seed", 1, 0));
-  const std::string truth = arguments.text("--truth").value_or("prior");
-  if (truth != "prior" && truth != "uniform")
-    throw ArgumentError("--truth: \"" + truth + "\" is none of prior, uniform");
-  options.truth = truth == "prior" ? Truth::Prior : Truth::Uniform;
+  options.events = arguments.whole("--events", 1, 1000000).value_or(options.quick ? 100 : 1000);
+  options.seed = arguments.whole("--seed", 0).value_or(1);
+  options.truth =
+      arguments.choice<Truth>("--truth", {{"prior", Truth::Prior}, {"uniform", Truth::Uniform}}).value_or(Truth::Prior);
   arguments.finish();
   return options;
 }

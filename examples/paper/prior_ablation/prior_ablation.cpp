@@ -11,7 +11,6 @@
 // Posteriors of the published likelihood are Gaussians of full covariance as well: the paper's are diagonal, and their
 // intervals therefore narrower.
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -70,17 +69,9 @@ struct Options {
 Options parse(Arguments& arguments) {
   Options options;
   options.quick = arguments.flag("--quick");
-  const auto whole = [&](const char* option, double otherwise, double least) {
-    const double value = arguments.number(option).value_or(otherwise);
-    if (!(value >= least && value <= 1e6 && value == std::floor(value)))
-      throw ArgumentError(std::string(option) + ": must be a whole number of at most 1e6");
-    return value;
-  };
-  options.data_sets = static_cast<std::size_t>(whole("--data-sets", options.quick ? 60 : 100, 1));
-  options.seed = static_cast<std::uint64_t>(whole("--seed", 1, 0));
-  const std::string pose = arguments.text("--pose").value_or("any");
-  if (pose != "any" && pose != "ready") throw ArgumentError("--pose: \"" + pose + "\" is none of any, ready");
-  options.ready = pose == "ready";
+  options.data_sets = arguments.whole("--data-sets", 1, 1000000).value_or(options.quick ? 60 : 100);
+  options.seed = arguments.whole("--seed", 0).value_or(1);
+  options.ready = arguments.choice<bool>("--pose", {{"any", false}, {"ready", true}}).value_or(false);
   options.output = arguments.text("--output");
   const auto weights = arguments.text("--weights");
   if (!weights) throw ArgumentError("--weights: missing");

@@ -238,11 +238,8 @@ void print_run(const Outcome& with, const Outcome& without, const std::vector<Ch
 
 int run(Arguments& arguments) {
   const Setup setup = Setup::parse(arguments);
-  const double count = arguments.number("--runs").value_or(setup.quick ? 1 : 5);
-  if (!(count >= 1 && count <= 1000 && count == std::floor(count)))
-    throw ArgumentError("--runs: must be a whole number from 1 to 1000");
+  const std::size_t runs = arguments.whole("--runs", 1, 1000).value_or(setup.quick ? 1 : 5);
   arguments.finish();
-  const auto runs = static_cast<std::size_t>(count);
 
   constexpr const char* columns = "t,m,mass,mass_std,error,limit,push";
   CsvFile course_without(setup.output, "without.csv", columns), course_with(setup.output, "with.csv", columns);

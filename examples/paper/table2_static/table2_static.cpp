@@ -58,11 +58,8 @@ std::optional<Result> run_trial(const Setup& setup, const PublishedTrial& publis
 
 int run(Arguments& arguments) {
   const Setup setup = Setup::parse(arguments);
-  const double count = arguments.number("--trials").value_or(setup.quick ? 2 : 10);
-  if (!(count >= 1 && count <= 1000 && count == std::floor(count)))
-    throw ArgumentError("--trials: must be a whole number from 1 to 1000");
+  const std::size_t trials = arguments.whole("--trials", 1, 1000).value_or(setup.quick ? 2 : 10);
   arguments.finish();
-  const auto trials = static_cast<std::size_t>(count);
 
   CsvFile csv(setup.output, "trials.csv",
               "m,rx,ry,rz,trial,m_error,x_error,y_error,z_error,m_std,x_std,y_std,z_std,after");

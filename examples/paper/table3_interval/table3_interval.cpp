@@ -102,11 +102,8 @@ void print(const char* head, const std::array<Squares, 4>& ours, std::size_t all
 
 int run(Arguments& arguments) {
   const Setup setup = Setup::parse(arguments);
-  const double count = arguments.number("--data-sets").value_or(setup.quick ? 11 : 110);
-  if (!(count >= 1 && count <= 10000 && count == std::floor(count)))
-    throw ArgumentError("--data-sets: must be a whole number from 1 to 10000");
+  const std::size_t sets = arguments.whole("--data-sets", 1, 10000).value_or(setup.quick ? 11 : 110);
   arguments.finish();
-  const auto sets = static_cast<std::size_t>(count);
 
   CsvFile csv(setup.output, "errors.csv", "set,since,interval,m_error,x_error,y_error,z_error");
   std::array<Squares, 4> final, early;
