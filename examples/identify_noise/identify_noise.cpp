@@ -7,7 +7,6 @@
 // log.
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -145,11 +144,7 @@ int main(int argc, char** argv) {
     std::printf("onset_jump %.2f N m, unrest %.2f N m, detector %s (activation_threshold %.2f N m)\n",
                 settings.onset_jump, settings.unrest, restlessness.noticed ? "with longer means" : "as it was",
                 settings.detector.activation_threshold);
-    if (request.output) {
-      std::ofstream file(*request.output);
-      file << rme::estimator_config_to_json(settings).dump(2) << "\n";
-      if (!file.flush()) throw LogError(*request.output + ": cannot be written");
-    }
+    if (request.output) write_estimator(*request.output, settings);
   } catch (const std::exception& error) {
     std::cerr << "identify_noise: " << error.what() << "\n";
     return 3;

@@ -111,13 +111,13 @@ int main(int argc, char** argv) {
       std::printf("%5s %8s %8s  %16s  %16s  %16s  %16s  %8s\n", "event", "from [s]", "at [s]", "mass [kg]", "x [mm]",
                   "y [mm]", "z [mm]", "took[us]");
     }
-    const ReplaySummary summary =
-        replay(log, request.replay.options, request.replay.prior(log), [&request](const auto& happened) {
-          if (request.json)
-            std::cout << to_json(happened).dump() << "\n";
-          else
-            print_row(happened);
-        });
+    const auto report = [&request](const auto& happened) {
+      if (request.json)
+        std::cout << to_json(happened).dump() << "\n";
+      else
+        print_row(happened);
+    };
+    const ReplaySummary summary = replay(log, request.replay.options, request.replay.prior(log), report, report);
     if (request.json) {
       ordered_json out;
       out["type"] = "summary";

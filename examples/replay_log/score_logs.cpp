@@ -16,7 +16,6 @@
 #include <iostream>
 #include <limits>
 #include <optional>
-#include <type_traits>
 
 #include "replay_log/options.hpp"
 
@@ -78,12 +77,8 @@ void score(const Log<7>& log, const ReplayRequest& request, Scores& scores) {
     s.across = (s.error.tail<3>() - down * down.dot(s.error.tail<3>())).norm();
     scores.found.push_back(s);
   };
-  replay(log, request.options, request.prior(log), [&](const auto& happened) {
-    if constexpr (std::is_same_v<decltype(happened), const ReplayedEstimate&>)
-      on_estimate(happened);
-    else
-      ++scores.rejected;
-  });
+  const auto on_rejection = [&](const ReplayedRejection&) { ++scores.rejected; };
+  replay(log, request.options, request.prior(log), on_estimate, on_rejection);
   scores.missed += static_cast<int>(std::count(answered.begin(), answered.end(), false));
 }
 

@@ -3,12 +3,8 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <rme/inference/fixed_prior.hpp>
-#include <rme/network/json.hpp>
 #include <rme/network/network_prior.hpp>
 #include <string>
-
-#include "run_network/json_file.hpp"
 
 namespace rme::examples {
 
@@ -19,13 +15,7 @@ struct NetworkFile {
 };
 
 /// @throws std::runtime_error if the file cannot be read, std::invalid_argument if it holds no network
-inline NetworkFile read_network_file(const std::string& path) {
-  const auto model = model_from_json<double>(read_json_file(path));
-  NetworkFile file{std::make_shared<const MismatchNetwork<double>>(model.weights), {}};
-  const auto damping = model.training.find("damping");
-  if (damping != model.training.end() && damping->is_number()) file.config.damping = damping->get<double>();
-  return file;
-}
+NetworkFile read_network_file(const std::string& path);
 
 /// A prior source for Estimator that is chosen at run time: a network's guess, or the fixed prior.
 class AnyPrior {
@@ -35,8 +25,7 @@ class AnyPrior {
   AnyPrior(const NetworkFile& file, double dt)
       : network_(file.network), guess_(std::in_place, *file.network, dt, file.config) {}
 
-  template <int Dofs>
-  PayloadGaussian<double> operator()(const SampleWindow<double, Dofs>& window, std::size_t count) const noexcept {
+  PayloadGaussian<double> operator()(const SampleWindow<double, 7>& window, std::size_t count) const noexcept {
     return guess_ ? (*guess_)(window, count) : FixedPrior<double>()(window, count);
   }
 

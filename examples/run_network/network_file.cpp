@@ -1,0 +1,17 @@
+#include "run_network/network_file.hpp"
+
+#include <rme/network/json.hpp>
+
+#include "run_network/json_file.hpp"
+
+namespace rme::examples {
+
+NetworkFile read_network_file(const std::string& path) {
+  const auto model = model_from_json<double>(read_json_file(path));
+  NetworkFile file{std::make_shared<const MismatchNetwork<double>>(model.weights), {}};
+  const auto damping = model.training.find("damping");
+  if (damping != model.training.end() && damping->is_number()) file.config.damping = damping->get<double>();
+  return file;
+}
+
+}  // namespace rme::examples
