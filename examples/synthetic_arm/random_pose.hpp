@@ -1,10 +1,12 @@
 #pragma once
 /// Poses that a Panda may well be asked to hold.
-#include <Eigen/Eigenvalues>
 #include <rme/core/types.hpp>
 #include <synthetic_arm/panda.hpp>
 
 namespace rme::examples {
+
+/// The smallest eigenvalue of J J^T, the square of J's smallest singular value: 0 in a singular pose.
+double smallest_mobility(const Jacobian<double, 7>& jacobian);
 
 /// Joint angles anywhere but near a limit or a singular pose, which no controller would hold [rad].
 /// @param uniform  callable (double low, double high) -> double: a random number in between
@@ -16,10 +18,7 @@ JointVector<double, 7> random_panda_pose(Uniform&& uniform) {
   while (true) {
     Vector7 q;
     for (int i = 0; i < 7; ++i) q[i] = middle[i] + uniform(-reach[i], reach[i]);
-    const Jacobian<double, 7> jacobian = panda().kinematics(q).jacobian;
-    const Eigen::SelfAdjointEigenSolver<Matrix6<double>> mobility(jacobian * jacobian.transpose(),
-                                                                  Eigen::EigenvaluesOnly);
-    if (mobility.eigenvalues()[0] >= 0.1 * 0.1) return q;
+    if (smallest_mobility(panda().kinematics(q).jacobian) >= 0.1 * 0.1) return q;
   }
 }
 

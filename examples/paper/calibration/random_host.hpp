@@ -1,7 +1,5 @@
 #pragma once
 /// Random arms, poses and payloads, and the loop of a host around them.
-#include <Eigen/Eigenvalues>
-#include <cmath>
 #include <cstdint>
 #include <random>
 #include <rme/control/compensation.hpp>
@@ -49,66 +47,12 @@ class RandomHost {
   Eigen::Vector3d direction() { return Eigen::Vector3d(normal(0, 1), normal(0, 1), normal(0, 1)).normalized(); }
 
   /// @param with_payload  whether the arm must be able to hold the payload
-  Draw draw(Sensing sensing, Truth truth, bool with_payload = true) {
-    Draw d;
-    d.friction_shows = sensing == Sensing::JointFriction || (sensing == Sensing::Mixed && uniform(0, 1) < 0.5);
-    d.arm = faults(d.friction_shows);
-    while (true) {
-      pose(d.start);
-      d.payload = with_payload ? payload(truth) : RigidBody();
-      const Torque held = panda().dynamics(d.start, Torque::Zero(), d.payload).gravity;
-      if ((held.array().abs() < 0.9 * panda().tau_max.array()).all()) break;
-      ++d.skipped;
-    }
-    // It starts some millimetres beside its target, as an arm that has just arrived.
-    for (int i = 0; i < 7; ++i) d.target[i] = normal(d.start[i], 0.005);
-    return d;
-  }
+  Draw draw(Sensing sensing, Truth truth, bool with_payload = true);
 
  private:
-  // A torque sensor of typical noise and offset, joints of typical friction.
-  SyntheticArmConfig<7> faults(bool friction_shows) {
-    SyntheticArmConfig<7> arm;
-    arm.dt = kPeriod;
-    arm.seed = random_();
-    arm.sensing = friction_shows ? TorqueSensing::MotorSide : TorqueSensing::LinkSide;
-    arm.torque_noise = panda().typical_noise;
-    for (int i = 0; i < 7; ++i) {
-      const bool proximal = i < 4;
-      arm.torque_offset[i] = normal(0, panda().typical_offset[i]);
-      arm.friction.coulomb[i] = proximal ? uniform(0.1, 0.3) : uniform(0.05, 0.1);
-      arm.friction.viscous[i] = proximal ? uniform(0.05, 0.1) : uniform(0.02, 0.04);
-    }
-    return arm;
-  }
-
-  // Well inside the limits, well conditioned, the flange above the table and away from the base. The flange points
-  // anywhere.
-  void pose(Torque& q) {
-    while (true) {
-      for (int i = 0; i < 7; ++i) {
-        const double margin = 0.15 * (panda().q_max[i] - panda().q_min[i]);
-        q[i] = uniform(panda().q_min[i] + margin, panda().q_max[i] - margin);
-      }
-      const auto at = panda().kinematics(q);
-      const Matrix6<double> mobility = at.jacobian * at.jacobian.transpose();
-      const double smallest = Eigen::SelfAdjointEigenSolver<Matrix6<double>>(mobility).eigenvalues()[0];
-      if (smallest > 0.1 * 0.1 && at.position.z() > 0.2 && at.position.head<2>().norm() > 0.3) return;
-    }
-  }
-
-  RigidBody payload(Truth truth) {
-    Eigen::Vector4d theta;
-    if (truth == Truth::Uniform) {
-      theta << uniform(0.2, 2), uniform(-0.08, 0.08), uniform(-0.08, 0.08), uniform(0, 0.2);
-    } else {
-      const auto prior = FixedPrior<double>().gaussian;
-      do
-        for (int i = 0; i < 4; ++i) theta[i] = normal(prior.mean[i], prior.standard_deviation()[i]);
-      while (theta[0] < 0.05);
-    }
-    return box(theta[0], theta.tail<3>(), {uniform(0.04, 0.1), uniform(0.04, 0.1), uniform(0.04, 0.1)});
-  }
+  SyntheticArmConfig<7> faults(bool friction_shows);
+  void pose(Torque& q);
+  RigidBody payload(Truth truth);
 
   std::mt19937_64 random_;
   std::normal_distribution<double> standard_;
