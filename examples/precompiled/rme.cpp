@@ -1,13 +1,42 @@
 #include <precompiled/rme.hpp>
 
+namespace Eigen::internal {
+
+template struct gebp_kernel<double, double, Index, Result, Traits::mr, Traits::nr, false, false>;
+template struct general_matrix_vector_product<Index, double, Columns, ColMajor, false, double, Columns, false>;
+template struct general_matrix_vector_product<Index, double, Columns, ColMajor, false, double, Rows, false>;
+template struct general_matrix_vector_product<Index, double, Rows, RowMajor, false, double, Columns, false>;
+template struct general_matrix_vector_product<Index, double, Rows, RowMajor, false, double, Rows, false, BuiltIn>;
+
+}  // namespace Eigen::internal
+
 namespace rme {
 
-template class EventInference<double, 7>;
-template class PayloadStatistics<double, 7>;
+template class Cholesky<double, 4>;
+template class Cholesky<double, 6>;
+template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&, const Matrix3<double>&,
+                                                                  const Vector3<double>&) noexcept;
+template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&, const Matrix3<double>&,
+                                                                  const Vector3<double>&, const FlangeMotion<double>&,
+                                                                  double) noexcept;
 template class SampleWindow<double, 7>;
-template class WindowStatistics<double, 7>;
-template class Estimator<double, 7>;
 template class MismatchDetector<7>;
+template struct SensorModel<double, 7>;
+template class PayloadStatistics<double, 7>;
+template class WindowStatistics<double, 7>;
+template Status exact_posterior(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
+                                ExactPosterior<double>&) noexcept;
+template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
+                      const VariationalInferenceConfig&, const Vector4<double>*) noexcept;
+template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
+                      const MeanFieldConfig&) noexcept;
+template class EventInference<double, 7>;
+template class MismatchNetwork<double>;
+template class MismatchNetwork<float>;
+template class NetworkPrior<double>;
+template PayloadGaussian<double> NetworkPrior<double>::operator()(const SampleWindow<double, 7>&,
+                                                                  std::size_t) const noexcept;
+template class Estimator<double, 7>;
 template class PassiveController<double>;
 template class JointLimits<double, 7>;
 template class Cpic<double, 7, 8>;

@@ -1,20 +1,60 @@
 #pragma once
-// Precompiled for the examples, the tests and the benchmarks: what most of them include, and the classes that most of
-// them instantiate, which rme.cpp does once for all. A program that does not see this file compiles just the same.
+// Precompiled for the examples, the tests and the benchmarks: what most of them include, and what most of them
+// instantiate, which rme.cpp does once for all. A program that does not see this file compiles just the same.
 #include <Eigen/Dense>
 #include <rme/control/barriers.hpp>
 #include <rme/control/cpic.hpp>
 #include <rme/control/passive_controller.hpp>
 #include <rme/estimator.hpp>
+#include <rme/inference/exact_posterior.hpp>
+#include <rme/inference/mean_field.hpp>
+#include <rme/network/mismatch_network.hpp>
+#include <rme/network/network_prior.hpp>
+
+// Products of matrices whose size Eigen does not know, or finds too large to unroll.
+namespace Eigen::internal {
+
+using Traits = gebp_traits<double, double>;
+using Result = blas_data_mapper<double, Index, ColMajor>;
+using Columns = const_blas_data_mapper<double, Index, ColMajor>;
+using Rows = const_blas_data_mapper<double, Index, RowMajor>;
+extern template struct gebp_kernel<double, double, Index, Result, Traits::mr, Traits::nr, false, false>;
+extern template struct general_matrix_vector_product<Index, double, Columns, ColMajor, false, double, Columns, false>;
+extern template struct general_matrix_vector_product<Index, double, Columns, ColMajor, false, double, Rows, false>;
+extern template struct general_matrix_vector_product<Index, double, Rows, RowMajor, false, double, Columns, false>;
+extern template struct general_matrix_vector_product<Index, double, Rows, RowMajor, false, double, Rows, false,
+                                                     BuiltIn>;
+
+}  // namespace Eigen::internal
 
 namespace rme {
 
-extern template class EventInference<double, 7>;
-extern template class PayloadStatistics<double, 7>;
+extern template class Cholesky<double, 4>;
+extern template class Cholesky<double, 6>;
+extern template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&,
+                                                                         const Matrix3<double>&,
+                                                                         const Vector3<double>&) noexcept;
+extern template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&,
+                                                                         const Matrix3<double>&, const Vector3<double>&,
+                                                                         const FlangeMotion<double>&, double) noexcept;
 extern template class SampleWindow<double, 7>;
-extern template class WindowStatistics<double, 7>;
-extern template class Estimator<double, 7>;
 extern template class MismatchDetector<7>;
+extern template struct SensorModel<double, 7>;
+extern template class PayloadStatistics<double, 7>;
+extern template class WindowStatistics<double, 7>;
+extern template Status exact_posterior(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
+                                       ExactPosterior<double>&) noexcept;
+extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
+                             const VariationalInferenceConfig&, const Vector4<double>*) noexcept;
+extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
+                             const MeanFieldConfig&) noexcept;
+extern template class EventInference<double, 7>;
+extern template class MismatchNetwork<double>;
+extern template class MismatchNetwork<float>;
+extern template class NetworkPrior<double>;
+extern template PayloadGaussian<double> NetworkPrior<double>::operator()(const SampleWindow<double, 7>&,
+                                                                         std::size_t) const noexcept;
+extern template class Estimator<double, 7>;
 extern template class PassiveController<double>;
 extern template class JointLimits<double, 7>;
 extern template class Cpic<double, 7, 8>;

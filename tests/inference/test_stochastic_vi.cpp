@@ -149,7 +149,8 @@ TEST_CASE("infer: stochastic VI checks from step 700 on, each 10 steps, and stop
     std::mt19937_64 generator = start;
     const Status status = rme::infer(likelihood, wide_prior(), run, config, generator);
     int stops_at = 2500, in_a_row = 0;
-    Eigen::Matrix<double, 8, 1> before, now;
+    using Vector8 = Eigen::Matrix<double, 8, 1>;
+    Vector8 before = Vector8::Zero(), now;
     for (int step = 700; step <= 2500 && stops_at == 2500; step += 10) {
       rme::StochasticViConfig part = config;
       part.max_steps = step;
