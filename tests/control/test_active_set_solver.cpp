@@ -159,8 +159,8 @@ struct RandomProblem {
     const oracle::Matrix V = oracle::random_rotation(random, Size);
     Eigen::Matrix<double, Size, 1> eigenvalues;
     for (int i = 0; i < Size; ++i) eigenvalues[i] = std::pow(10.0, -3 + 5 * uniform(random));
-    Q = V * eigenvalues.asDiagonal() * V.transpose();
-    P = V * eigenvalues.cwiseInverse().asDiagonal() * V.transpose();
+    Q = oracle::composed(V, eigenvalues, V);
+    P = oracle::composed(V, eigenvalues.cwiseInverse(), V);
     const Eigen::Matrix<double, Size, 1> feasible = 5 * oracle::random_matrix(random, Size, 1);
     const double distance = std::pow(10.0, 1.5 * uniform(random));
     x_u = feasible + distance * oracle::random_matrix(random, Size, 1);

@@ -2,8 +2,8 @@
 #include <rme/control/barriers.hpp>
 #include <synthetic_arm/panda.hpp>
 
-#include "qp_oracle.hpp"
 #include "support/catch.hpp"
+#include "support/linear_algebra.hpp"
 
 namespace {
 

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <rme/control/cpic.hpp>
 
+#include "one_active_row.hpp"
 #include "random_arm.hpp"
 #include "support/catch.hpp"
 
@@ -35,9 +36,6 @@ TEMPLATE_TEST_CASE_SIG("Cpic: far from all constraints the torque is J^T F_c + N
 
 TEMPLATE_TEST_CASE_SIG("Cpic: one active row gives the paper's closed form with its signs put right", "[cpic]",
                        ((int Dofs), Dofs), 6, 7) {
-  // (23): Q tau + p - A^T lambda = 0 and A tau = v, so tau = Q^-1 (A^T lambda - p), lambda = (A Q^-1 A^T)^-1 (v + A
-  // Q^-1 p). Formed literally, in extended precision: Q's condition of 1e5 would cost the oracle what is to be shown.
-  using Extended = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   const unsigned seed = 4202;
   CAPTURE(seed);
   std::mt19937 random(seed);
@@ -51,26 +49,14 @@ TEMPLATE_TEST_CASE_SIG("Cpic: one active row gives the paper's closed form with 
     REQUIRE(cpic.update(arm.input, arm.rows) == rme::Status::Ok);
     if (cpic.active_count() == 0) continue;
     ++active;
-    const Extended J = arm.input.jacobian.template cast<long double>();
-    const Extended identity = Extended::Identity(Dofs, Dofs);
-    const Extended inverse = J.transpose() * Extended(J * J.transpose()).fullPivLu().inverse();
-    const Extended N = identity - inverse * J;
-    const long double eps = config.null_space_weight;
-    const Extended Q = 2 * (inverse * inverse.transpose() + eps * N);
-    const Extended p = -2 * (inverse * arm.input.wrench.vector().template cast<long double>() +
-                             eps * N * arm.input.null_torque.template cast<long double>());
-    const Extended M = arm.input.mass_matrix.template cast<long double>();
-    const Extended A = (M.fullPivLu().solve(Extended(arm.rows[0].a.template cast<long double>()))).transpose();
-    const Extended v = Extended::Constant(1, 1, arm.rows[0].lower) + A * arm.input.bias.template cast<long double>();
-    const Extended Q_inverse = Q.fullPivLu().inverse();
-    const Extended lambda = (A * Q_inverse * A.transpose()).inverse() * (v + A * Q_inverse * p);
-    const Extended tau = Q_inverse * (A.transpose() * lambda - p);
-    REQUIRE(lambda(0, 0) > 0);
-    const double error = static_cast<double>((cpic.torque().template cast<long double>() - tau).norm() / tau.norm());
-    const double multiplier_error =
-        static_cast<double>(std::abs(static_cast<long double>(cpic.multiplier(0)) / lambda(0, 0) - 1));
+    const oracle::OneRow expected =
+        oracle::one_active_row(arm.input.jacobian, arm.input.mass_matrix, arm.input.bias, arm.input.wrench.vector(),
+                               arm.input.null_torque, config.null_space_weight, arm.rows[0].a, arm.rows[0].lower);
+    REQUIRE(expected.multiplier > 0);
+    const double error = expected.relative_error(cpic.torque());
+    const auto multiplier_error = static_cast<double>(std::abs(cpic.multiplier(0) / expected.multiplier - 1));
     // lambda is a difference of two terms; it is as good as the larger of them allows.
-    const double cancellation = static_cast<double>(std::abs(v(0, 0)) / std::abs((v + A * Q_inverse * p)(0, 0)));
+    const double cancellation = expected.cancellation;
     worst = std::max(worst, error);
     REQUIRE(error < 1e-12);
     REQUIRE(multiplier_error < 1e-12 * (1 + cancellation));
@@ -133,7 +119,7 @@ TEST_CASE("Cpic: the null space is used up before the task is disturbed", "[cpic
     const rme::Vector6<double> miss = arm.pseudo_inverse.transpose() * cpic.torque() - arm.input.wrench.vector();
     // One row and one null-space direction z: the row is met by z alone, as eps goes to zero. What remains of the task
     // error is eps |J a| / (z a)^2 times the violation.
-    const Vector7 a = arm.input.mass_matrix.ldlt().solve(arm.rows[0].a);
+    const Vector7 a = oracle::inverse(arm.input.mass_matrix) * arm.rows[0].a;
     const double violation = arm.rows[0].lower + a.dot(arm.input.bias) - a.dot(Vector7(arm.unconstrained()));
     const double free = a.dot(arm.null_projector * a);
     REQUIRE(miss.norm() <= 1e-9 * (arm.input.jacobian * a).norm() / free * violation * 1.001 + 1e-9);
@@ -176,7 +162,7 @@ TEST_CASE("Cpic: a singular pose leaves the torque bounded and continuous", "[cp
     changes[halved] = 0;
     for (int k = 0; k * step <= 0.1; ++k) {
       sigma[5] = 0.05 - k * step;
-      arm.input.jacobian = U * sigma.asDiagonal() * V.leftCols(6).transpose();
+      arm.input.jacobian = oracle::composed(U, sigma, V);
       REQUIRE(cpic.update(arm.input, arm.rows) == rme::Status::Ok);
       REQUIRE((cpic.torque().cwiseAbs() - arm.torque_limit).maxCoeff() <= 0);
       active = std::max(active, cpic.active_count());

@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "network/golden.hpp"
-#include "support/random_events.hpp"
+#include "support/random_events.cpp"  // all of the program is one translation unit
 
 namespace {
 

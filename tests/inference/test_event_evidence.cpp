@@ -1,9 +1,9 @@
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 #include <rme/inference/event_evidence.hpp>
 
 #include "support/catch.hpp"
+#include "support/linear_algebra.hpp"
 #include "support/random_events.hpp"
 
 namespace {
@@ -35,9 +35,7 @@ double dense_log_density(const Event& event, const rme::Payload<double>& payload
     for (Eigen::Index i = 0; i < kDofs; ++i)
       C.block(j * T, i * T, T, T).array() += J.col(j).dot(S * J.col(i));  // the same at all times
   }
-  const Eigen::LLT<Eigen::MatrixXd> llt(C);
-  const Eigen::VectorXd white = llt.matrixL().solve(residual);
-  return -0.5 * white.squaredNorm() - llt.matrixLLT().diagonal().array().log().sum();
+  return oracle::log_normal(residual, C);
 }
 
 /// What the library leaves out on purpose, since it is the same for every hypothesis: the white noise's determinant.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "support/catch.hpp"
+#include "support/linear_algebra.hpp"
 #include "support/random_events.hpp"
 
 namespace {
@@ -189,11 +190,9 @@ TEST_CASE("EventInference: sensor models compete by the full density that each g
         const Eigen::Vector3d mu(0, model.coulomb_mean[j], model.viscous_mean[j]);
         const Eigen::Vector3d variance(std::pow(model.offset[j], 2) + std::pow(model.stiction[j], 2),
                                        std::pow(model.coulomb_std[j], 2), std::pow(model.viscous_std[j], 2));
-        Eigen::MatrixXd C = N * variance.asDiagonal() * N.transpose();
+        Eigen::MatrixXd C = oracle::composed(N, variance, N);
         C.diagonal().array() += std::pow(model.noise[j], 2);
-        const Eigen::LLT<Eigen::MatrixXd> llt(C);
-        const Eigen::VectorXd white = llt.matrixL().solve(y.col(j) - N * mu);
-        sum -= 0.5 * white.squaredNorm() + llt.matrixLLT().diagonal().array().log().sum();
+        sum += oracle::log_normal(y.col(j) - N * mu, C);
       }
       dense.push_back(sum);
     }

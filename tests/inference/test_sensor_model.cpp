@@ -1,10 +1,10 @@
-#include <Eigen/Cholesky>
 #include <limits>
 #include <random>
 #include <rme/inference/sensor_model.hpp>
 #include <stdexcept>
 
 #include "support/catch.hpp"
+#include "support/linear_algebra.hpp"
 
 namespace {
 
@@ -65,7 +65,7 @@ TEST_CASE("SensorModel: after an event the offset stays, the stiction is drawn a
       }
       const Eigen::MatrixXd S =
           H * prior * H.transpose() + model.noise[j] * model.noise[j] * Eigen::MatrixXd::Identity(T, T);
-      const Eigen::MatrixXd gain = S.ldlt().solve(H * prior).transpose();
+      const Eigen::MatrixXd gain = oracle::solve(S, H * prior).transpose();
       Eigen::Matrix<double, 3, 5> wanted;
       wanted << 1, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1;
       const Eigen::Vector3d expected_mean = wanted * (mean + gain * residual);
