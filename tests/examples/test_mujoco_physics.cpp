@@ -17,7 +17,6 @@ using rme::examples::six_joint_arm;
 using rme::examples::SyntheticArm;
 using rme::examples::SyntheticArmConfig;
 
-constexpr double kPeriod = 1e-3;
 const Eigen::Vector3d kSize(0.06, 0.06, 0.1);
 
 template <int Dofs>
