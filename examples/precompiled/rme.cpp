@@ -1,15 +1,5 @@
 #include <precompiled/rme.hpp>
 
-namespace Eigen::internal {
-
-template struct gebp_kernel<double, double, Index, Result, Traits::mr, Traits::nr, false, false>;
-template struct general_matrix_vector_product<Index, double, Columns, ColMajor, false, double, Columns, false>;
-template struct general_matrix_vector_product<Index, double, Columns, ColMajor, false, double, Rows, false>;
-template struct general_matrix_vector_product<Index, double, Rows, RowMajor, false, double, Columns, false>;
-template struct general_matrix_vector_product<Index, double, Rows, RowMajor, false, double, Rows, false, BuiltIn>;
-
-}  // namespace Eigen::internal
-
 namespace rme {
 
 template class Cholesky<double, 4>;

@@ -11,22 +11,6 @@
 #include <rme/network/mismatch_network.hpp>
 #include <rme/network/network_prior.hpp>
 
-// Products of matrices whose size Eigen does not know, or finds too large to unroll.
-namespace Eigen::internal {
-
-using Traits = gebp_traits<double, double>;
-using Result = blas_data_mapper<double, Index, ColMajor>;
-using Columns = const_blas_data_mapper<double, Index, ColMajor>;
-using Rows = const_blas_data_mapper<double, Index, RowMajor>;
-extern template struct gebp_kernel<double, double, Index, Result, Traits::mr, Traits::nr, false, false>;
-extern template struct general_matrix_vector_product<Index, double, Columns, ColMajor, false, double, Columns, false>;
-extern template struct general_matrix_vector_product<Index, double, Columns, ColMajor, false, double, Rows, false>;
-extern template struct general_matrix_vector_product<Index, double, Rows, RowMajor, false, double, Columns, false>;
-extern template struct general_matrix_vector_product<Index, double, Rows, RowMajor, false, double, Rows, false,
-                                                     BuiltIn>;
-
-}  // namespace Eigen::internal
-
 namespace rme {
 
 extern template class Cholesky<double, 4>;
