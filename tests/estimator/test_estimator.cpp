@@ -319,6 +319,17 @@ TEST_CASE("Estimator: an arm that reports the reaction torque gets the same esti
   CHECK(estimates == 2);
 }
 
+TEST_CASE("Estimator: watching the norm alone, it notices an object's weight as well", "[estimator]") {
+  rme::EstimatorConfig<double, 7> config;
+  config.watch_norm = true;
+  Host<7> host(panda(), link_side(panda(), 8), config);
+  host.run(1);
+  host.arm.attach(kFirst);
+  host.run(2);
+  REQUIRE(host.estimates.size() == 1);
+  check_close(host.estimates[0], kFirst, host.arm.kinematics().rotation);
+}
+
 TEST_CASE("Estimator: a host that knows when the gripper closes needs no detector", "[estimator]") {
   const RigidBody light = box(0.1, {0, 0, 0.1}, kSize);  // about 0.56 N m: below the detector's threshold
   for (const RigidBody& body : {light, kFirst}) {

@@ -1,4 +1,5 @@
 #include <rme/estimator_json.hpp>
+#include <string>
 #include <utility>
 
 #include "support/catch.hpp"
@@ -45,6 +46,15 @@ TEST_CASE("estimator_config: a field that is not there keeps its default", "[jso
   CHECK(config.sensors[0].coulomb_mean == rme::SensorModel<double, 7>::joint_friction().coulomb_mean);
 }
 
+TEST_CASE("estimator_config: a sensor model may be a preset's name, and the torque's sign is a word", "[json]") {
+  const Config config = read(R"({"sensors": ["link_side", "joint_friction"], "torque_sign": "external"})");
+  REQUIRE(config.sensors.size() == 2);
+  CHECK(config.sensors[0].coulomb_mean == rme::SensorModel<double, 7>::link_side().coulomb_mean);
+  CHECK(config.sensors[1].coulomb_mean == rme::SensorModel<double, 7>::joint_friction().coulomb_mean);
+  CHECK(config.torque_sign == rme::TorqueSign::External);
+  CHECK(read(R"({"torque_sign": "reaction"})").torque_sign == rme::TorqueSign::Reaction);
+}
+
 TEST_CASE("estimator_config: a wrong field is refused by its path, with what was expected and what came", "[json]") {
   CHECK_THROWS_WITH(read(R"({"colection": 1})"), contains("colection") && contains("unknown"));
   CHECK_THROWS_WITH(read(R"({"window": {"duration": "x"}})"), contains("window.duration") && contains("a number"));
@@ -61,6 +71,9 @@ TEST_CASE("estimator_config: a wrong field is refused by its path, with what was
   CHECK_THROWS_WITH(read(R"({"sensors": [{"noise": [1, 1, 1, 1, 1, 1, 1]}]})"),
                     contains("sensors[0].noise_correlation_time") && contains("missing"));
   CHECK_THROWS_WITH(read("[1]"), contains("an object"));
+  const std::string word(1000, 'x');
+  CHECK_THROWS_WITH(read((R"({"torque_sign": ")" + word + R"("})").c_str()),
+                    contains("got \"" + word.substr(0, 59) + "..."));
   const json too_large = json::parse(R"({"gravity": [0, 0, -1e39]})");
   CHECK_THROWS_WITH((rme::estimator_config_from_json<float, 7>(too_large)),
                     contains("gravity[2]") && contains("float"));

@@ -51,6 +51,14 @@ TEMPLATE_TEST_CASE("JSON: a model written as text and read again is the same mod
   CHECK(numbers_of(again.weights) == numbers_of(model->weights));
 }
 
+TEST_CASE("JSON: either frame of the input comes back", "[json]") {
+  for (const auto frame : {rme::InputFrame::World, rme::InputFrame::EndEffector}) {
+    const auto model = example<float>();
+    model->weights.frame = frame;
+    CHECK(rme::model_from_json<float, SmallArchitecture>(rme::model_to_json(*model)).weights.frame == frame);
+  }
+}
+
 TEST_CASE("JSON: the published architecture has the format's names, sizes and shapes", "[json]") {
   const json file = rme::model_to_json(*example<float, rme::PublishedArchitecture>());
   CHECK(file["format"] == "rme.mismatch_network");

@@ -60,7 +60,7 @@ Infers the same simulated payloads with four solvers and two likelihoods, and sa
 Exit codes: 0 done; 1 an inference failed, or what --quick checks; 2 unusable arguments.
 )";
 
-enum Solver : std::size_t { kExact, kFull, kMeanField, kStochastic, kSolvers };
+constexpr std::size_t kExact = 0, kFull = 1, kMeanField = 2, kStochastic = 3, kSolvers = 4;
 constexpr const char* kSolverNames[] = {"exact", "full covariance", "mean field", "stochastic VI"};
 enum Model : std::size_t { kEstimator, kPublished, kModels };
 constexpr const char* kModelNames[] = {"the estimator's likelihood", "the published likelihood"};
@@ -212,7 +212,7 @@ bool check(const std::array<Answers, kSolvers>& answers) {
   expect(ordered, "a bound lies above that of a family that contains it");
   double full = 0, mean_field = 0;
   for (int i = 0; i < 4; ++i) {
-    for (const Solver solver : {kExact, kFull}) {
+    for (const std::size_t solver : {kExact, kFull}) {
       const double coverage = summarise(answers[solver].scored, i).coverage[2];
       expect(coverage >= 80, "fewer than 80 % of an honest posterior's 90 % intervals hold the truth");
     }
