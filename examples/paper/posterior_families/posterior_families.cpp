@@ -62,7 +62,7 @@ Exit codes: 0 done; 1 an inference failed, or what --quick checks; 2 unusable ar
 
 constexpr std::size_t kExact = 0, kFull = 1, kMeanField = 2, kStochastic = 3, kSolvers = 4;
 constexpr const char* kSolverNames[] = {"exact", "full covariance", "mean field", "stochastic VI"};
-enum Model : std::size_t { kEstimator, kPublished, kModels };
+constexpr std::size_t kEstimator = 0, kPublished = 1, kModels = 2;
 constexpr const char* kModelNames[] = {"the estimator's likelihood", "the published likelihood"};
 
 struct Options {
@@ -147,7 +147,7 @@ struct Answers {
 /// Asks a solver about all events, timing each call.
 /// @param solver  callable (const Likelihood&, rme::InferenceResult<double>&) -> rme::Status
 template <typename Infer>
-Answers ask(const std::vector<Data>& events, Model model, const Infer& solver) {
+Answers ask(const std::vector<Data>& events, std::size_t model, const Infer& solver) {
   Answers answers;
   for (const Data& event : events) {
     rme::InferenceResult<double> result;
@@ -167,7 +167,7 @@ Answers ask(const std::vector<Data>& events, Model model, const Infer& solver) {
 }
 
 /// Asks all solvers.
-std::array<Answers, kSolvers> ask_all(const std::vector<Data>& events, Model model, std::uint64_t seed) {
+std::array<Answers, kSolvers> ask_all(const std::vector<Data>& events, std::size_t model, std::uint64_t seed) {
   const auto prior = rme::FixedPrior<double>().gaussian;
   std::mt19937_64 random(seed);
   const auto with = [&](const auto& config, auto&... generator) {
@@ -232,7 +232,7 @@ int run(Arguments& arguments) {
   }
   std::printf("%zu payloads, seed %llu\n", options.events, static_cast<unsigned long long>(options.seed));
   bool good = true;
-  for (const Model model : {kEstimator, kPublished}) {
+  for (const std::size_t model : {kEstimator, kPublished}) {
     const auto answers = ask_all(events, model, options.seed);
     std::printf("\n%s\n%-16s %-27s | %-23s | %-27s | %8s | %8s\n%-16s", kModelNames[model], "", "mean absolute error",
                 "90 % intervals hold [%]", "half width of these", "ELBO", "median", "");
