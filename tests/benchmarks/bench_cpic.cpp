@@ -127,7 +127,7 @@ void time_solver(int paths) {
     rme::NullSpace<double, 7> null_space;
     for (const State& s : states) {
       Problem p;
-      null_space.update(s.input.jacobian);
+      (void)null_space.update(s.input.jacobian);
       p.P = (s.input.jacobian.transpose() * s.input.jacobian + null_space.projector() / 1e-3) / 2;
       p.x_u = s.input.jacobian.transpose() * s.input.wrench.vector() + null_space.projector() * s.input.null_torque;
       const Eigen::LLT<Matrix> inertia(s.input.mass_matrix);
