@@ -60,7 +60,7 @@ Infers the same simulated payloads with four solvers and two likelihoods, and sa
 Exit codes: 0 done; 1 an inference failed, or what --quick checks; 2 unusable arguments.
 )";
 
-constexpr std::size_t kExact = 0, kFull = 1, kMeanField = 2, kStochastic = 3, kSolvers = 4;
+constexpr std::size_t kExact = 0, kFull = 1, kMeanField = 2, kSolvers = 4;  // 3 is stochastic VI
 constexpr const char* kSolverNames[] = {"exact", "full covariance", "mean field", "stochastic VI"};
 constexpr std::size_t kEstimator = 0, kPublished = 1, kModels = 2;
 constexpr const char* kModelNames[] = {"the estimator's likelihood", "the published likelihood"};
