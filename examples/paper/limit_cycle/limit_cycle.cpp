@@ -147,7 +147,7 @@ int run(Arguments& arguments) {
   const std::size_t trials = arguments.whole("--trials", 1, 1000).value_or(setup.quick ? 1 : 4);
   arguments.finish();
   std::vector<PublishedTrial> payloads(published_trials().begin(), published_trials().end());
-  if (setup.quick) payloads = {payloads[1], payloads[4]};
+  if (setup.quick) payloads = {published_trials()[1], published_trials()[4]};
 
   CsvFile csv(setup.output, "trials.csv",
               "m,trial,estimator,mean_before,mean_attach,mean_after,worst_before,worst_attach,worst_after,progress,"
