@@ -215,7 +215,7 @@ MeanSquares print(const std::vector<DataSet>& data, Likelihood likelihood) {
     }
     squares[k] = print((std::string(kPriorNames[k]) + " prior").c_str(), all, true);
   }
-  const MeanSquares ratio = squares[kZero].cwiseQuotient(squares[kNetwork]);
+  MeanSquares ratio = squares[kZero].cwiseQuotient(squares[kNetwork]);
   std::printf("%-15s %9.2f %9.2f %9.2f %9.2f\n", "zero / network", ratio[0], ratio[1], ratio[2], ratio[3]);
   return ratio;
 }
