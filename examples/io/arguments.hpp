@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,14 @@ class ArgumentError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Makes the folder that an option names, if need be.
+/// @throws ArgumentError naming the option if that cannot be
+inline void make_folder(const std::string& option, const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw ArgumentError(option + ": cannot make " + folder + ": " + error.message());
+}
 
 /// Hands out the words of a command line. Each question takes what answers it; finish() refuses what is left:
 ///

@@ -339,11 +339,7 @@ void study_quiet(const Options& options) {
 
 int run(Arguments& arguments) {
   const Options options = parse(arguments);
-  if (options.output) {
-    std::error_code error;
-    std::filesystem::create_directories(*options.output, error);
-    if (error) throw ArgumentError("--output: cannot make " + *options.output + ": " + error.message());
-  }
+  if (options.output) make_folder("--output", *options.output);
   const bool noticed = study_payloads(options);
   if (options.pushes > 0) study_pushes(options);
   if (options.quiet > 0) study_quiet(options);

@@ -1,6 +1,5 @@
 #include "setup.hpp"
 
-#include <filesystem>
 #include <synthetic_arm/panda.hpp>
 
 #ifdef RME_HAS_MUJOCO
@@ -35,11 +34,7 @@ Setup Setup::parse(Arguments& arguments) {
   setup.quick = arguments.flag("--quick");
   setup.seed = arguments.whole("--seed", 0).value_or(1);
   setup.output = arguments.text("--output");
-  if (setup.output) {
-    std::error_code error;
-    std::filesystem::create_directories(*setup.output, error);
-    if (error) throw ArgumentError("--output: cannot make " + *setup.output + ": " + error.message());
-  }
+  if (setup.output) make_folder("--output", *setup.output);
   return setup;
 }
 

@@ -240,11 +240,7 @@ void write_csv(const Options& options, const std::vector<DataSet>& data) {
 
 int run(Arguments& arguments) {
   const Options options = parse(arguments);
-  if (options.output) {
-    std::error_code error;
-    std::filesystem::create_directories(*options.output, error);
-    if (error) throw ArgumentError("--output: cannot make " + *options.output + ": " + error.message());
-  }
+  if (options.output) make_folder("--output", *options.output);
   std::vector<DataSet> data;
   for (std::size_t run = 0; run < options.data_sets; ++run)
     if (const auto d = simulate(options, run)) data.push_back(*d);
