@@ -21,6 +21,7 @@ template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<do
 template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
                       const MeanFieldConfig&) noexcept;
 template class EventInference<double, 7>;
+template class EventSamples<double, 7>;
 template class MismatchNetwork<double>;
 template class MismatchNetwork<float>;
 template class NetworkPrior<double>;

@@ -33,6 +33,7 @@ extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaus
 extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
                              const MeanFieldConfig&) noexcept;
 extern template class EventInference<double, 7>;
+extern template class EventSamples<double, 7>;
 extern template class MismatchNetwork<double>;
 extern template class MismatchNetwork<float>;
 extern template class NetworkPrior<double>;

@@ -7,8 +7,8 @@
 namespace rme::examples {
 
 NetworkFile read_network_file(const std::string& path) {
-  const auto model = model_from_json<double>(read_json_file(path));
-  NetworkFile file{std::make_shared<const MismatchNetwork<double>>(model.weights), {}};
+  const auto model = model_from_json<float>(read_json_file(path));
+  NetworkFile file{std::make_shared<const MismatchNetwork<float>>(model.weights), {}};
   const auto damping = model.training.find("damping");
   if (damping != model.training.end() && damping->is_number()) file.config.damping = damping->get<double>();
   return file;

@@ -10,7 +10,7 @@ namespace rme::examples {
 
 /// The network of a weights file and the settings of NetworkPrior that belong to it.
 struct NetworkFile {
-  std::shared_ptr<const MismatchNetwork<double>> network;
+  std::shared_ptr<const MismatchNetwork<float>> network;
   NetworkPriorConfig<double> config;  ///< the defaults, with the damping that the network was trained with
 };
 
@@ -30,7 +30,7 @@ class AnyPrior {
   }
 
  private:
-  std::shared_ptr<const MismatchNetwork<double>> network_;  // what guess_ refers to
+  std::shared_ptr<const MismatchNetwork<float>> network_;  // what guess_ refers to
   std::optional<NetworkPrior<double>> guess_;
 };
 

@@ -11,11 +11,11 @@
 #include <rme/core/types.hpp>
 #include <rme/estimate.hpp>
 #include <rme/estimator_config.hpp>
+#include <rme/event_samples.hpp>
 #include <rme/inference/event_inference.hpp>
 #include <rme/inference/fixed_prior.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_statistics.hpp>
-#include <rme/inference/window_statistics.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/onset.hpp>
 #include <rme/sensing/proprioception.hpp>
@@ -89,6 +89,10 @@ class Estimator {
  private:
   using Statistics = PayloadStatistics<Scalar, Dofs>;
   using Signal = Eigen::Matrix<double, Dofs, 1>;
+  static constexpr int kMaxRestarts = 5;
+  /// Centres of mass that are nearer to each other make the same sums [m]: what the model of one leaves out at the
+  /// other is the inertia torque of this squared, 4e-6 N m for 1 kg at 1 rad/s^2.
+  static constexpr double kSameCom = 0.002;
 
   // An arm of which it is not known whether its friction shows is taken for one whose friction does: to a sensor model
   // without friction the direction says nothing.
@@ -100,19 +104,8 @@ class Estimator {
   std::size_t ticks_of(double seconds) const noexcept { return static_cast<std::size_t>(std::lround(seconds / dt_)); }
   double time_of(std::uint64_t tick) const noexcept { return static_cast<double>(tick) * dt_; }
   Phase resting_phase() const noexcept { return known_.empty ? Phase::Watching : Phase::Compensating; }
-  bool is_onset(const Onset<Scalar>& onset) const noexcept {
-    return onset.sharp() && onset.jump > static_cast<Scalar>(config_.onset_jump);
-  }
   bool refresh_due(std::uint64_t since) const noexcept {
     return config_.refresh > 0 && since > 0 && since % ticks_of(config_.refresh) == 0;
-  }
-  PayloadRegressor<Scalar, Dofs> regressor(const Sample<Scalar, Dofs>& sample) const noexcept {
-    return payload_regressor<Scalar, Dofs>(sample.raw.jacobian, sample.raw.rotation, config_.gravity, sample.motion,
-                                           static_cast<Scalar>(config_.gyration_radius));
-  }
-  PayloadObservation<Scalar, Dofs> observation(std::size_t age) const noexcept {
-    const Sample<Scalar, Dofs>& sample = window_.newest(age);
-    return {sample.tau, regressor(sample), sample.direction, sample.raw.dq};
   }
   Signal watched(std::size_t age) const noexcept;
   Signal level(std::size_t newest) const noexcept;
@@ -125,7 +118,6 @@ class Estimator {
   void begin_collection(bool triggered) noexcept;
   void collect() noexcept;
   void forget_event() noexcept;
-  Statistics event_about(const Vector3<Scalar>& com_guess) const noexcept;
   void make_early_estimate() noexcept;
   void make_estimate() noexcept;
   void store(Estimate<Scalar>& estimate, const PayloadGaussian<Scalar>& posterior, bool empty, bool final) noexcept;
@@ -136,7 +128,7 @@ class Estimator {
   MismatchDetector<Dofs> detector_;
   SampleWindow<Scalar, Dofs> window_;
   EventInference<Scalar, Dofs> inference_;
-  int block_;  // ticks that are averaged before they enter the sums
+  EventSamples<Scalar, Dofs> event_;
   Phase phase_ = Phase::Watching;
   std::uint64_t ticks_ = 0;
   Estimate<Scalar> known_;   // the last final one: what was in the hand before the event
@@ -151,21 +143,11 @@ class Estimator {
   std::uint64_t change_tick_ = 0;         // when it began, roughly
   Signal level_before_ = Signal::Zero();  // of the watched signal, before it
   double noticed_at_ = 0, detected_at_ = 0;
-  bool onset_known_ = false;
-  std::uint64_t onset_tick_ = 0;            // of the first sample after the step
-  std::uint64_t first_tick_ = 0;            // of the first one that is used
-  WindowStatistics<Scalar, Dofs> event_;    // since the onset, until the change has settled
-  WindowStatistics<Scalar, Dofs> settled_;  // since then
-  Unrest<Scalar, Dofs> unrest_;             // of the collection
-  std::uint64_t settled_tick_ = 0;          // of its first sample
-  std::size_t collected_ = 0;               // samples since the collection began
-  std::size_t steady_ = 0;                  // ticks for which early estimates have looked like a payload
-  bool triggered_ = false;                  // by the host, not by the detector
-  static constexpr int kMaxRestarts = 5;
-  /// Centres of mass that are nearer to each other make the same sums [m]: what the model of one leaves out at the
-  /// other is the inertia torque of this squared, 4e-6 N m for 1 kg at 1 rad/s^2.
-  static constexpr double kSameCom = 0.002;
-  int restarts_ = 0;  // of this collection
+  bool triggered_ = false;       // by the host, not by the detector
+  Unrest<Scalar, Dofs> unrest_;  // of the collection
+  std::size_t collected_ = 0;    // samples since the collection began
+  int restarts_ = 0;             // of this collection
+  std::size_t steady_ = 0;       // ticks for which early estimates have looked like a payload
 };
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -176,10 +158,7 @@ Estimator<Scalar, Dofs, PriorSource>::Estimator(double dt, const Config& config,
       detector_(dt, config.detector),
       window_(dt, config.window, largest_friction(config)),
       inference_(Scalar(dt), config.sensors, config.push, config.inference, config.learn_noise),
-      block_(static_cast<int>(std::max<std::size_t>(
-          1, ticks_of(std::min(config.collection, 2 * double(config.sensors.front().noise_correlation_time)))))),
-      event_(block_),
-      settled_(block_),
+      event_(dt, config),
       unrest_(ticks_of(config.collection)) {}
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -234,11 +213,9 @@ void Estimator<Scalar, Dofs, PriorSource>::watch() noexcept {
   if (detector_.update(watched(0)) != Status::Ok) return;
   if (detector_.rapid_change() && !changing_) begin_change();
   if (!changing_) return;
-  if (ticks_ - change_tick_ > window_.capacity()) {  // it does not settle: what was long ago counts no more
-    onset_known_ = false;
-    event_.clear();
-  }
-  if (onset_known_ && ticks_ >= first_tick_) event_.add(observation(0));
+  // It does not settle: what was long ago counts no more.
+  if (ticks_ - change_tick_ > window_.capacity()) event_.forget_onset();
+  event_.add(window_.newest(), ticks_);
   if (refresh_due(ticks_ - change_tick_)) {
     locate_onset();
     make_early_estimate();
@@ -260,12 +237,13 @@ void Estimator<Scalar, Dofs, PriorSource>::begin_change() noexcept {
   const std::size_t span = ticks_of(config_.onset_span), window = ticks_of(config_.detector.window);
   const Onset<Scalar> onset = find_onset(window_, window + 2 * span, span);
   // Before the first baseline can be learned, an arm that starts to move looks like one that is handed something.
-  if (!is_onset(onset) && time() < config_.detector.window + config_.baseline + config_.baseline_guard) return;
+  const bool sharp = event_.is_onset(onset);
+  if (!sharp && time() < config_.detector.window + config_.baseline + config_.baseline_guard) return;
   forget_event();
   changing_ = true;
   noticed_at_ = time();
-  change_tick_ = ticks_ - (is_onset(onset) ? onset.age : 0);
-  remember_quiet(is_onset(onset) ? onset.age + 1 : window);
+  change_tick_ = ticks_ - (sharp ? onset.age : 0);
+  remember_quiet(sharp ? onset.age + 1 : window);
 }
 
 /// Learns from the quiet past, whose newest sample that is sure to be quiet has this age.
@@ -294,7 +272,7 @@ auto Estimator<Scalar, Dofs, PriorSource>::watched(std::size_t age) const noexce
   if (config_.watch_norm)  // in one channel; the others stay zero
     return Signal::Unit(0) * static_cast<double>(sample.raw.tau_ext.norm());
   if (known_.empty) return sample.tau.template cast<double>();
-  return (sample.tau - regressor(sample).torque(known_.payload())).template cast<double>();
+  return (sample.tau - event_.regressor(sample).torque(known_.payload())).template cast<double>();
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -314,52 +292,31 @@ void Estimator<Scalar, Dofs, PriorSource>::tare(double duration) noexcept {
 /// The nuisances of the coming event, from `count` samples of an empty hand, the newest of them of age `newest`.
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::learn_baseline(std::size_t newest, std::size_t count) noexcept {
-  const std::size_t oldest = std::min(window_.size(), newest + count);
-  if (oldest <= newest) {
+  if (count == 0 || window_.size() <= newest) {
     inference_.forget_baseline();
     return;
   }
-  WindowStatistics<Scalar, Dofs> quiet(block_);
-  for (std::size_t age = oldest; age-- > newest;) {
-    const Sample<Scalar, Dofs>& sample = window_.newest(age);
-    quiet.add({sample.tau, PayloadRegressor<Scalar, Dofs>(), sample.direction, sample.raw.dq});
-  }
-  inference_.learn_baseline(quiet.about(Vector3<Scalar>::Zero()));
+  inference_.learn_baseline(event_.quiet_sums(window_, newest, count).about(Vector3<Scalar>::Zero()));
 }
 
 /// Nothing is going on.
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::forget_event() noexcept {
-  changing_ = onset_known_ = triggered_ = false;
+  changing_ = triggered_ = false;
   steady_ = 0;
   event_.clear();
-  settled_.clear();
 }
 
-/// Looks for the instant of the change among the samples since it began, or since the host said so, and gathers what
-/// came after it. Of a slow hand-over, which has no such instant, nothing is gathered.
+/// Looks for the instant of the change among the samples since it began, or since the host said so.
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::locate_onset() noexcept {
-  const std::size_t span = ticks_of(config_.onset_span), lead = 8 * span;
-  const std::size_t range = triggered_ ? collected_ : static_cast<std::size_t>(ticks_ - change_tick_) + lead;
-  if (!triggered_ && range > ticks_of(config_.detector.window) + lead) return;
-  const Onset<Scalar> onset = find_onset(window_, range, span);
-  if (!is_onset(onset)) {
-    if (triggered_) return;
-    onset_known_ = false;
-    event_.clear();
+  if (triggered_) {
+    event_.locate(window_, ticks_, collected_);
     return;
   }
-  if (onset.age < span + 2) return;  // the step is not wholly in view yet
-  const std::uint64_t tick = ticks_ - onset.age;
-  if (onset_known_ && tick + span >= onset_tick_ && tick <= onset_tick_ + span) return;  // as before
-  onset_known_ = true;
-  onset_tick_ = tick;
-  first_tick_ = tick + ticks_of(config_.onset_guard);
-  event_.clear();
-  settled_.clear();
-  for (std::uint64_t at = first_tick_; at <= ticks_; ++at)
-    event_.add(observation(static_cast<std::size_t>(ticks_ - at)));
+  const std::size_t since = static_cast<std::size_t>(ticks_ - change_tick_);
+  if (since > ticks_of(config_.detector.window)) return;
+  if (!event_.locate(window_, ticks_, since + 8 * ticks_of(config_.onset_span))) event_.forget_onset();
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -377,13 +334,12 @@ void Estimator<Scalar, Dofs, PriorSource>::begin_collection(bool triggered) noex
   unrest_.clear();
   restarts_ = 0;
   detected_at_ = time();
-  settled_tick_ = ticks_ + 1;
   if (!triggered) locate_onset();
 }
 
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::collect() noexcept {
-  settled_.add(observation(0));
+  event_.add_settled(window_.newest(), ticks_);
   unrest_.add(window_.newest().tau);
   if (++collected_ >= ticks_of(config_.collection)) {
     if (triggered_) locate_onset();  // the weight may have come after the trigger
@@ -394,32 +350,16 @@ void Estimator<Scalar, Dofs, PriorSource>::collect() noexcept {
   }
 }
 
-/// All that is known of the event, about a centre of mass.
-template <typename Scalar, int Dofs, typename PriorSource>
-PayloadStatistics<Scalar, Dofs> Estimator<Scalar, Dofs, PriorSource>::event_about(
-    const Vector3<Scalar>& com_guess) const noexcept {
-  Statistics sums = event_.about(com_guess);
-  sums += settled_.about(com_guess);
-  return sums;
-}
-
 /// What can be said before the event is over. While the weight is still coming, or a hand is still getting hold, only
 /// the newest samples count, and they must have looked like a payload's for as long again: a push that grows is neither
 /// a payload nor a constant push, and now and then looks like the one rather than the other.
 template <typename Scalar, int Dofs, typename PriorSource>
 void Estimator<Scalar, Dofs, PriorSource>::make_early_estimate() noexcept {
-  const PayloadGaussian<Scalar> prior = prior_(window_, static_cast<std::size_t>(settled_.count()));
+  const PayloadGaussian<Scalar> prior = prior_(window_, event_.settled_count());
   const Vector3<Scalar> com_guess = (latest_.final ? prior : latest_.posterior).mean.template tail<3>();
   const auto gentle = ticks_of(config_.gentle_window);
-  Statistics sums;
-  const bool sharp = onset_known_ || triggered_ || static_cast<std::size_t>(settled_.count()) >= gentle;
-  if (sharp) {
-    sums = event_about(com_guess);
-  } else {
-    WindowStatistics<Scalar, Dofs> newest(block_);
-    for (std::size_t age = std::min(gentle, window_.size()); age-- > 0;) newest.add(observation(age));
-    sums = newest.about(com_guess);
-  }
+  const bool sharp = event_.onset_known() || triggered_ || event_.settled_count() >= gentle;
+  const Statistics sums = sharp ? event_.about(com_guess) : event_.sums(window_, 0, gentle).about(com_guess);
   if (static_cast<std::size_t>(sums.count()) < ticks_of(config_.early_window)) return;
   ModelAverage<Scalar> average;
   verdict_ = inference_.judge(sums, sums, prior, known_.payload(), window_.newest().raw.jacobian, average);
@@ -448,29 +388,28 @@ void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
     changing_ = true;
     collected_ = 0;
     unrest_.clear();
-    settled_tick_ = ticks_ + 1;
     return;
   }
-  const PayloadGaussian<Scalar> prior = prior_(window_, static_cast<std::size_t>(settled_.count()));
+  const PayloadGaussian<Scalar> prior = prior_(window_, event_.settled_count());
   const Vector3<Scalar> com_guess = (latest_.final ? prior : latest_.posterior).mean.template tail<3>();
   detector_.reset();
   phase_ = resting_phase();  // unless an estimate is made
 
   // Payload or push is judged by the samples after the change has settled. The estimate is made from all of them, and
   // once more about the centre of mass found if that is another.
-  const Statistics event = event_about(com_guess);
-  const Statistics settled = triggered_ ? event : settled_.about(com_guess);
+  const Statistics event = event_.about(com_guess);
+  const Statistics settled = triggered_ ? event : event_.settled_about(com_guess);
   ModelAverage<Scalar> average;
   verdict_ = inference_.judge(settled, event, prior, known_.payload(), window_.newest().raw.jacobian, average);
   const bool accepted = (triggered_ || verdict_.log_odds() > static_cast<Scalar>(config_.odds)) && !average.empty();
   if (accepted) {
     const Vector3<Scalar> com = average.moments().mean.template tail<3>();
-    if (!((com - com_guess).norm() < Scalar(kSameCom))) average = inference_.posterior(event_about(com), prior);
+    if (!((com - com_guess).norm() < Scalar(kSameCom))) average = inference_.posterior(event_.about(com), prior);
   }
   if (accepted && !average.empty()) {
     pushed_ = false;
     store(known_, average.moments(), verdict_.is_empty(), true);
-    known_.window_begin = time_of(onset_known_ ? first_tick_ : settled_tick_) - dt_;
+    known_.window_begin = time_of(event_.first_tick()) - dt_;
     phase_ = Phase::Estimating;
   } else {
     rejected_ = true;

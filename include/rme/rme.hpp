@@ -27,6 +27,7 @@
 #include <rme/estimate.hpp>
 #include <rme/estimator.hpp>
 #include <rme/estimator_config.hpp>
+#include <rme/event_samples.hpp>
 #include <rme/inference/event_evidence.hpp>
 #include <rme/inference/event_inference.hpp>
 #include <rme/inference/exact_posterior.hpp>

@@ -30,7 +30,7 @@ using testing::HeldArm;
 using Tick = Proprioception<double, 7>;
 using Ticks = std::deque<Tick>;
 using Network = MismatchNetwork<float>;
-using Prior = NetworkPrior<double, PublishedArchitecture, float>;
+using Prior = NetworkPrior<double>;
 
 constexpr int kSamples = 50;  // of the published likelihood
 constexpr double kDamping = 1e-2;

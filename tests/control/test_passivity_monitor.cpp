@@ -25,7 +25,7 @@ TEST_CASE("PassivityMonitor: a damped oscillator's residual is minus what the da
 TEST_CASE("PassivityMonitor: supplied power is integrated, with an error that vanishes with the step's square",
           "[passivity]") {
   // A lossless system driven by P(t) = sin t from S = 3: S = 4 - cos t. The residual is the trapezoidal error.
-  double errors[2];
+  double errors[2] = {};
   for (const int halved : {0, 1}) {
     const double dt = halved ? 0.005 : 0.01;
     rme::PassivityMonitor<double> monitor(dt);

@@ -8,7 +8,7 @@
 namespace {
 
 using Network = rme::MismatchNetwork<double>;
-using Prior = rme::NetworkPrior<double>;
+using Prior = rme::NetworkPrior<double, rme::PublishedArchitecture, double>;  // for closer comparisons
 using Window = rme::SampleWindow<double, 7>;
 
 /// An arm with a random Jacobian, torque and rotation at each tick.
@@ -74,7 +74,7 @@ TEST_CASE("NetworkPrior: a network in float serves an estimator in double", "[ne
   rme::NetworkPriorConfig<double> config;
   config.farthest = 100;
   const auto expected = Prior(*network, 0.001, config)(recording.window, 200);
-  const rme::NetworkPrior<double, rme::PublishedArchitecture, float> prior(*in_float, 0.001, config);
+  const rme::NetworkPrior<double> prior(*in_float, 0.001, config);
   const auto said = prior(recording.window, 200);
   // The network's own tolerance against PyTorch in float.
   CHECK((said.mean - expected.mean).cwiseAbs().maxCoeff() < 1e-5);

@@ -18,6 +18,7 @@ struct Loop {
   using Matrix3 = rme::Matrix3<Scalar>;
   using Tick = rme::Proprioception<Scalar, Dofs>;
   using Payload = rme::Payload<Scalar>;
+  using Kept = rme::Sample<Scalar, Dofs>;
 
   // core
   static_assert(noexcept(rme::payload_wrench(a<Payload>(), a<Matrix3>(), a<Vector3>())));
@@ -38,11 +39,17 @@ struct Loop {
   static_assert(noexcept(a<Estimator>().time()) && noexcept(a<Estimator>().detected_at()));
   static_assert(noexcept(a<Estimator>().detector()) && noexcept(a<Estimator>().config()));
   static_assert(noexcept(a<rme::Estimate<Scalar>>().payload()));
+  using Event = rme::EventSamples<Scalar, Dofs>;
+  using Window = rme::SampleWindow<Scalar, Dofs>;
+  static_assert(noexcept(my<Event>().add(a<Kept>(), 1)) && noexcept(my<Event>().add_settled(a<Kept>(), 1)));
+  static_assert(noexcept(my<Event>().locate(a<Window>(), 1, 1)) && noexcept(my<Event>().clear()));
+  static_assert(noexcept(my<Event>().forget_onset()) && noexcept(a<Event>().about(a<Vector3>())));
+  static_assert(noexcept(a<Event>().settled_about(a<Vector3>())) && noexcept(a<Event>().sums(a<Window>(), 0, 1)));
+  static_assert(noexcept(a<Event>().quiet_sums(a<Window>(), 0, 1)) && noexcept(a<Event>().regressor(a<Kept>())));
 
   // sensing
   using Detector = rme::MismatchDetector<Dofs>;
   using Observer = rme::MomentumObserver<Scalar, Dofs>;
-  using Window = rme::SampleWindow<Scalar, Dofs>;
   static_assert(noexcept(rme::check(a<Tick>())));
   static_assert(noexcept(my<Window>().push(a<Tick>())) && noexcept(my<Window>().reset()));
   static_assert(noexcept(a<Window>().newest(1)) && noexcept(a<Window>().size()));
@@ -62,7 +69,7 @@ struct Loop {
   using Network = rme::MismatchNetwork<Scalar>;
   static_assert(noexcept(a<Network>().forward(a<typename Network::Window>(), my<typename Network::Output>())));
   static_assert(noexcept(a<Prior>()(a<Window>(), 1)));
-  static_assert(noexcept(a<Prior>().guess(a<Window>(), 1, my<typename Network::Output>())));
+  static_assert(noexcept(a<Prior>().guess(a<Window>(), 1, my<rme::Vector4<Scalar>>())));
   static_assert(noexcept(a<rme::FixedPrior<Scalar>>()(a<Window>(), 1)));
 
   // inference

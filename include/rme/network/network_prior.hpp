@@ -39,12 +39,12 @@ struct NetworkPriorConfig {
 /// A payload far outside the training distribution is not dragged back into it: the mass is free to follow the window,
 /// and a window that is foreign to the network is recognised, and the fixed prior used instead.
 ///
-///     const auto network = std::make_unique<MismatchNetwork<double>>(model.weights);  // must outlive the estimator
+///     const auto network = std::make_unique<MismatchNetwork<float>>(model.weights);  // must outlive the estimator
 ///     Estimator<double, 7, NetworkPrior<double>> estimator(0.001, {}, NetworkPrior<double>(*network, 0.001));
 ///
 /// @tparam NetworkScalar  of the network. Weights are learned in float, and a network in float serves an estimator in
-///                        double as well, in half the time and half the memory
-template <typename Scalar, typename Architecture = PublishedArchitecture, typename NetworkScalar = Scalar>
+///                        double as well as one in double would, in half the time and half the memory
+template <typename Scalar, typename Architecture = PublishedArchitecture, typename NetworkScalar = float>
 class NetworkPrior {
  public:
   using Network = MismatchNetwork<NetworkScalar, Architecture>;
@@ -58,7 +58,7 @@ class NetworkPrior {
   /// What the network says to the newest of the `count` samples that were collected.
   /// @return false if there are too few of them or the network has learned from none like them: then `out` is untouched
   template <int Dofs>
-  bool guess(const SampleWindow<Scalar, Dofs>& window, std::size_t count, typename Network::Output& out) const noexcept;
+  bool guess(const SampleWindow<Scalar, Dofs>& window, std::size_t count, Vector4<Scalar>& out) const noexcept;
 
   /// The prior of an event whose newest `count` samples were collected.
   template <int Dofs>
@@ -96,8 +96,7 @@ NetworkPrior<Scalar, Architecture, NetworkScalar>::NetworkPrior(const Network& n
 template <typename Scalar, typename Architecture, typename NetworkScalar>
 template <int Dofs>
 bool NetworkPrior<Scalar, Architecture, NetworkScalar>::guess(const SampleWindow<Scalar, Dofs>& window,
-                                                              std::size_t count,
-                                                              typename Network::Output& out) const noexcept {
+                                                              std::size_t count, Vector4<Scalar>& out) const noexcept {
   using Input = typename Network::Window;
   constexpr int samples = Input::RowsAtCompileTime;
   // A shorter collection would show the network what was before the event.
@@ -113,8 +112,12 @@ bool NetworkPrior<Scalar, Architecture, NetworkScalar>::guess(const SampleWindow
   }
   Input normalized;
   network_->normalization().forward(input, normalized);
-  return normalized.cwiseAbs().maxCoeff() <= NetworkScalar(config_.farthest) &&
-         network_->forward(input, out) == Status::Ok;
+  typename Network::Output said;
+  if (!(normalized.cwiseAbs().maxCoeff() <= NetworkScalar(config_.farthest)) ||
+      network_->forward(input, said) != Status::Ok)
+    return false;
+  out = said.template cast<Scalar>();
+  return true;
 }
 
 template <typename Scalar, typename Architecture, typename NetworkScalar>
@@ -122,9 +125,8 @@ template <int Dofs>
 PayloadGaussian<Scalar> NetworkPrior<Scalar, Architecture, NetworkScalar>::operator()(
     const SampleWindow<Scalar, Dofs>& window, std::size_t count) const noexcept {
   PayloadGaussian<Scalar> fixed = config_.unknown(window, count);
-  typename Network::Output out;
-  if (!guess(window, count, out)) return fixed;
-  const Vector4<Scalar> mean = out.template cast<Scalar>();
+  Vector4<Scalar> mean;
+  if (!guess(window, count, mean)) return fixed;
   auto prior = PayloadGaussian<Scalar>::independent(mean, config_.standard_deviation);
   const Vector3<Scalar> down = window.newest().raw.rotation.transpose() * config_.gravity.normalized();
   const Matrix3<Scalar> along = down * down.transpose();
