@@ -272,10 +272,10 @@ TEST_CASE("embedding.md: ros2_control's snippet allocates nothing in its loop", 
   SwingingController controller;
   Hardware hardware(controller);
   int good = hardware.run(1000);
-  const int before = allocations;
+  const int before = rme::testing::allocations();
   hardware.arm.attach(unknown_kilogram());  // allocates once
   good += hardware.run(2000);
-  CHECK(allocations - before <= 1);
+  CHECK(rme::testing::allocations() - before <= 1);
   CHECK(good == 3000);
 #else
   WARN("allocations are not counted here");

@@ -586,12 +586,12 @@ TEST_CASE("Estimator: a push that grows and fades is not carried for a moment", 
 #ifdef RME_COUNTS_ALLOCATIONS
 TEST_CASE("Estimator: allocates nothing once it is made", "[estimator]") {
   const auto samples = recording(14);
-  const int before_any = allocations;
+  const int before_any = rme::testing::allocations();
   rme::Estimator<double, 7> estimator(kPeriod);
-  REQUIRE(allocations > before_any);  // the counter counts
+  REQUIRE(rme::testing::allocations() > before_any);  // the counter counts
   rme::JointVector<double, 7> sum = rme::JointVector<double, 7>::Zero();
   int estimates = 0, failures = 0;
-  const int before = allocations;
+  const int before = rme::testing::allocations();
   for (int round = 0; round < 2; ++round) {
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (k == 700) estimator.tare(0.5);
@@ -602,7 +602,7 @@ TEST_CASE("Estimator: allocates nothing once it is made", "[estimator]") {
     }
     estimator.reset();
   }
-  const int during = allocations - before;
+  const int during = rme::testing::allocations() - before;
   CHECK(during == 0);
   CHECK(failures == 0);
   CHECK(estimates >= 4);

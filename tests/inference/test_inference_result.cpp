@@ -71,12 +71,12 @@ TEST_CASE("Solvers: none of them allocates", "[solvers]") {
   CAPTURE(seed);
   std::mt19937_64 random(seed);
   const auto likelihood = random_likelihood(random);
-  const int before_any = allocations;
+  const int before_any = rme::testing::allocations();
   std::vector<double> something(100);
-  REQUIRE(allocations > before_any);  // the counter counts
-  const int before = allocations;
+  REQUIRE(rme::testing::allocations() > before_any);  // the counter counts
+  const int before = rme::testing::allocations();
   const auto r = ask(likelihood, wide_prior(), random);
-  const int during = allocations - before;
+  const int during = rme::testing::allocations() - before;
   CHECK(during == 0);
   CHECK(r.exact.iterations > 0);
 #endif

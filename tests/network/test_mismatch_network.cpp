@@ -172,14 +172,14 @@ TEMPLATE_TEST_CASE("MismatchNetwork: forward neither throws nor allocates", "[ne
       std::declval<const typename Network<TestType>::Window&>(), std::declval<typename Network<TestType>::Output&>())));
 #if defined(RME_COUNTS_ALLOCATIONS)
   const auto weights = golden::random_weights<TestType>();
-  const int before_construction = allocations;
+  const int before_construction = rme::testing::allocations();
   const auto network = std::make_unique<Network<TestType>>(*weights);
-  REQUIRE(allocations > before_construction);  // or the counter counts nothing
+  REQUIRE(rme::testing::allocations() > before_construction);  // or the counter counts nothing
   const typename Network<TestType>::Window window = Network<TestType>::Window::Ones();
   typename Network<TestType>::Output out = Network<TestType>::Output::Zero();
-  const int before = allocations;
+  const int before = rme::testing::allocations();
   const rme::Status status = network->forward(window, out);
-  const int after = allocations;
+  const int after = rme::testing::allocations();
   REQUIRE(status == rme::Status::Ok);
   CHECK(after == before);
 #endif

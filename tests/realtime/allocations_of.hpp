@@ -1,5 +1,5 @@
 #pragma once
-/// Counts what a loop allocates. Only one file of a program may include this.
+/// Counts what a loop allocates.
 #include "support/allocation_count.hpp"
 
 #ifdef RME_COUNTS_ALLOCATIONS
@@ -8,9 +8,9 @@ namespace rme::testing {
 /// Runs a loop, in which nothing may be CHECKed (Catch2 allocates), and says how often it went to the heap.
 template <typename Loop>
 int allocations_of(const Loop& loop) {
-  const int before = allocations;
+  const int before = allocations();
   loop();
-  return allocations - before;
+  return allocations() - before;
 }
 
 }  // namespace rme::testing

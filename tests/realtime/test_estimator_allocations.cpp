@@ -7,7 +7,6 @@
 #include <rme/control/energy_tank.hpp>
 #include <rme/estimator.hpp>
 #include <rme/network/network_prior.hpp>
-#include <vector>
 
 #include "network/golden.hpp"
 #include "realtime/allocations_of.hpp"
@@ -28,17 +27,14 @@ using Prior = rme::NetworkPrior<double>;
 
 constexpr double kPeriod = rme::testing::HeldArm::kPeriod;
 
-struct alignas(64) Wide {
-  double values[8];
-};
-
 TEST_CASE("Allocations: whatever goes to the heap is counted", "[realtime]") {
   void* volatile kept = nullptr;  // or the compiler leaves the pairs out
   CHECK(allocations_of([&] { std::free(kept = std::malloc(8)); }) == 1);
   CHECK(allocations_of([&] { std::free(kept = std::calloc(1, 8)); }) == 1);
   CHECK(allocations_of([&] { std::free(kept = std::realloc(nullptr, 8)); }) == 1);
   CHECK(allocations_of([&] { ::operator delete(kept = ::operator new(8)); }) == 1);
-  CHECK(allocations_of([&] { std::vector<Wide>(3).swap(*std::make_unique<std::vector<Wide>>()); }) == 2);
+  constexpr std::align_val_t kWide{64};
+  CHECK(allocations_of([&] { ::operator delete(kept = ::operator new(64, kWide), kWide); }) == 1);
   CHECK(allocations_of([&] { Eigen::MatrixXd::Random(3, 3).eval(); }) == 1);
 }
 

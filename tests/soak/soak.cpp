@@ -230,12 +230,12 @@ int main(int argc, char** argv) {
   int allocated = 0;
   for (int part = 1; part <= parts; ++part) {
 #ifdef RME_COUNTS_ALLOCATIONS
-    const int before = allocations;
+    const int before = rme::testing::allocations();
 #endif
     soak.operate(minutes * 60 / parts);
     seen = soak.reference(now) && seen;
 #ifdef RME_COUNTS_ALLOCATIONS
-    allocated += allocations - before;
+    allocated += rme::testing::allocations() - before;
 #endif
     drift = std::max(drift, difference(first, now));
     Counts& c = soak.counts;

@@ -35,7 +35,7 @@ Status published_likelihood(int count, const At& at, PayloadLikelihood<Scalar>& 
   JointVector<Scalar, Dofs> least = JointVector<Scalar, Dofs>::Constant(kInfinity), most = -least;
   const int gaps = std::max(config.samples - 1, 1);
   for (int k = 0; k <= gaps; ++k) {
-    const PayloadObservation<Scalar, Dofs> o = at((k * (count - 1) + gaps / 2) / gaps);
+    const PayloadObservation<Scalar, Dofs>& o = at((k * (count - 1) + gaps / 2) / gaps);
     if (!o.tau.allFinite() || !o.regressor.a.allFinite() || !o.regressor.B.allFinite()) return Status::NonFiniteInput;
     sums.add(o);
     least = least.cwiseMin(o.tau);
