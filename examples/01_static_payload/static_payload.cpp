@@ -193,10 +193,8 @@ int run(Arguments& arguments) {
   const Options options = parse(arguments);
   const Run with = simulate(options, true), without = simulate(options, false);
   if (options.output) {
+    make_folder("--output", *options.output);
     const std::filesystem::path folder = *options.output;
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw ArgumentError("--output: cannot make " + folder.string() + ": " + error.message());
     write_csv(folder / "compensated.csv", with, options.payload);
     write_csv(folder / "uncompensated.csv", without, options.payload);
   }

@@ -100,12 +100,12 @@ int run(Arguments& arguments) {
   const std::optional<std::string> output = arguments.text("--output");
   arguments.finish();
   if (!(force >= 10 && force <= 60)) throw ArgumentError("--force: expected 10 to 60 N");
+  if (output) make_folder("--output", *output);
 
   Result results[2];
   for (const bool constrained : {true, false}) {
     std::ofstream csv;
     if (output) {
-      std::filesystem::create_directories(*output);
       csv.exceptions(std::ofstream::failbit | std::ofstream::badbit);
       csv.open(std::filesystem::path(*output) / (constrained ? "constrained.csv" : "unconstrained.csv"));
     }

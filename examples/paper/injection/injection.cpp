@@ -187,11 +187,7 @@ int main(int argc, char** argv) {
   Options options;
   try {
     options = parse(argc, argv);
-    if (options.output) {
-      std::error_code error;
-      std::filesystem::create_directories(*options.output, error);
-      if (error) throw ArgumentError("--output: cannot make " + *options.output + ": " + error.message());
-    }
+    if (options.output) make_folder("--output", *options.output);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "rme_injection: %s\n\n%s", error.what(), kUsage);
     return 2;
