@@ -9,11 +9,12 @@ add_library(rme_development INTERFACE)
 target_compile_features(rme_development INTERFACE cxx_std_17)
 target_compile_options(rme_development INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror)
 
-# rme_add_example(NAME SOURCE...): an example program.
+# rme_add_example(NAME SOURCE...): an example program. The global property RME_EXAMPLES lists all of them.
 function(rme_add_example name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE rme_precompiled)
   target_precompile_headers(${name} REUSE_FROM rme_precompiled)
+  set_property(GLOBAL APPEND PROPERTY RME_EXAMPLES ${name})
 endfunction()
 
 # rme_add_test(FILE [LIBRARY...]): one Catch2 program from tests/<folder>/test_<header>.cpp; each test case becomes a ctest

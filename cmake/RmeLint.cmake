@@ -15,14 +15,18 @@ else()
 endif()
 
 # Takes minutes, so it is a target and no test. clang-tidy cannot read g++'s precompiled header, hence a configuration
-# of its own; nothing is built there.
+# of its own; nothing but generated sources is built there.
 find_program(RME_RUN_CLANG_TIDY NAMES run-clang-tidy-${rme_clang_version} DOC "clang-tidy for target tidy")
 if(RME_RUN_CLANG_TIDY)
   set(rme_tidy_dir ${PROJECT_BINARY_DIR}/tidy)
+  if(TARGET generated_sources)
+    set(rme_tidy_sources COMMAND ${CMAKE_COMMAND} --build ${rme_tidy_dir} --target generated_sources)
+  endif()
   add_custom_target(
     tidy
     COMMAND ${CMAKE_COMMAND} -S ${PROJECT_SOURCE_DIR} -B ${rme_tidy_dir} -G ${CMAKE_GENERATOR} -DRME_WITH_JSON=${RME_WITH_JSON}
             -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+    ${rme_tidy_sources}
     COMMAND ${RME_RUN_CLANG_TIDY} -quiet -p ${rme_tidy_dir}
     VERBATIM USES_TERMINAL)
 endif()

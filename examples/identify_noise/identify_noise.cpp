@@ -6,13 +6,12 @@
 // work: each joint in both directions, slowly and fast, with stops. Exit codes: 0; 2 unusable arguments; 3 unusable
 // log.
 #include <cstdio>
-#include <exception>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "identify_noise/sensor_identification.hpp"
+#include "io/program.hpp"
 #include "replay_log/options.hpp"
 
 namespace {
@@ -39,8 +38,7 @@ struct Request {
   std::optional<std::string> output;
 };
 
-Request parse(int argc, char** argv) {
-  Arguments arguments(argc, argv);
+Request parse(Arguments& arguments) {
   Request request;
   if (const auto file = arguments.text("--config")) request.settings = read_estimator(*file);
   const std::string preset = arguments.text("--preset").value_or("joint_friction");
@@ -121,33 +119,26 @@ void print(const IdentifiedSensor& found) {
               found.surprise > 1 ? ": all of them were widened by that" : "");
 }
 
+int run(Arguments& arguments) {
+  const Request request = parse(arguments);
+  const std::vector<Log<7>> logs = read(request);
+  const IdentifiedSensor found = identify(logs, request);
+  rme::EstimatorConfig<double, 7> settings = request.settings;
+  const double span = std::min(2 * found.model.noise_correlation_time, settings.detector.window / 4);
+  Restlessness restlessness;
+  for (const Log<7>& log : logs) measure(log, settings, span, restlessness);
+  settings.sensors = {found.model};
+  raise_thresholds(restlessness, span, settings);
+  print(found);
+  std::printf("onset_jump %.2f N m, unrest %.2f N m, detector %s (activation_threshold %.2f N m)\n",
+              settings.onset_jump, settings.unrest, restlessness.noticed ? "with longer means" : "as it was",
+              settings.detector.activation_threshold);
+  if (request.output) write_estimator(*request.output, settings);
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  Request request;
-  try {
-    request = parse(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "identify_noise: " << error.what() << "\n" << kUsage;
-    return 2;
-  }
-  try {
-    const std::vector<Log<7>> logs = read(request);
-    const IdentifiedSensor found = identify(logs, request);
-    rme::EstimatorConfig<double, 7> settings = request.settings;
-    const double span = std::min(2 * found.model.noise_correlation_time, settings.detector.window / 4);
-    Restlessness restlessness;
-    for (const Log<7>& log : logs) measure(log, settings, span, restlessness);
-    settings.sensors = {found.model};
-    raise_thresholds(restlessness, span, settings);
-    print(found);
-    std::printf("onset_jump %.2f N m, unrest %.2f N m, detector %s (activation_threshold %.2f N m)\n",
-                settings.onset_jump, settings.unrest, restlessness.noticed ? "with longer means" : "as it was",
-                settings.detector.activation_threshold);
-    if (request.output) write_estimator(*request.output, settings);
-  } catch (const std::exception& error) {
-    std::cerr << "identify_noise: " << error.what() << "\n";
-    return 3;
-  }
-  return 0;
+  return run_program("identify_noise", kUsage, argc, argv, run);
 }

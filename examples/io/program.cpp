@@ -5,10 +5,10 @@
 
 namespace rme::examples {
 
-int run_program(const char* name, const char* usage, int argc, char** argv, int (*run)(Arguments&)) {
+int run_program(const char* name, std::string_view usage, int argc, char** argv, int (*run)(Arguments&)) {
   for (int i = 1; i < argc; ++i) {
     if (const std::string word = argv[i]; word == "--help" || word == "-h") {
-      std::printf("%s", usage);
+      std::printf("%.*s", static_cast<int>(usage.size()), usage.data());
       return 0;
     }
   }
@@ -16,11 +16,11 @@ int run_program(const char* name, const char* usage, int argc, char** argv, int 
     Arguments arguments(argc, argv);
     return run(arguments);
   } catch (const ArgumentError& error) {
-    std::fprintf(stderr, "%s: %s\n\n%s", name, error.what(), usage);
+    std::fprintf(stderr, "%s: %s\n\n%.*s", name, error.what(), static_cast<int>(usage.size()), usage.data());
     return 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", name, error.what());
-    return 1;
+    return 3;
   }
 }
 

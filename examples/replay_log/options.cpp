@@ -11,13 +11,13 @@ namespace rme::examples {
 
 namespace {
 
-/// What `make` returns; its errors name the file.
+/// What `make` returns; its errors name what the command line gave.
 template <typename Make>
-auto named(const std::string& file, Make&& make) {
+auto named(const std::string& given, Make&& make) {
   try {
     return make();
   } catch (const std::invalid_argument& error) {
-    throw ArgumentError(file + ": " + error.what());
+    throw ArgumentError(given + ": " + error.what());
   }
 }
 
@@ -85,7 +85,7 @@ ReplayRequest parse_replay_options(Arguments& arguments) {
   estimator.window.duration =
       std::max(estimator.window.duration, estimator.detector.window + std::max(estimator.collection, tare) + 0.5);
   if (estimator.window.duration > 60) throw ArgumentError("--window and --baseline must be shorter than a minute");
-  estimator.validate(1e-3);
+  named("options", [&] { estimator.validate(1e-3); });
   return request;
 }
 

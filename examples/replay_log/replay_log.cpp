@@ -5,18 +5,21 @@
 // as a table (of the early ones the first) or with --json as one JSON object per line. Exit codes: 0; 2 unusable
 // arguments; 3 unreadable log.
 #include <cstdio>
-#include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "io/program.hpp"
 #include "replay_log/options.hpp"
 
 namespace {
 
 using namespace rme::examples;
 using nlohmann::ordered_json;
+
+constexpr const char* kUsage = "usage: replay_log LOG.csv[.gz] [options]\n";
+constexpr const char* kOwnUsage = "  --json              one JSON object per line\n";
 
 /// What the command line asks for.
 struct Request {
@@ -25,8 +28,7 @@ struct Request {
   bool json = false;
 };
 
-Request parse(int argc, char** argv) {
-  Arguments arguments(argc, argv);
+Request parse(Arguments& arguments) {
   Request request;
   request.json = arguments.flag("--json");
   request.replay = parse_replay_options(arguments);
@@ -92,45 +94,37 @@ void print_row(const ReplayedEstimate& e) {
   std::printf("\n");
 }
 
+int run(Arguments& arguments) {
+  const Request request = parse(arguments);
+  const Log<7> log = read_log<7>(request.log);
+  require_external_torque(log);
+  if (log.size() < 2) throw LogError(log.name + ": has a single row, which gives no sample rate");
+  if (!request.json) {
+    std::printf("%5s %8s %8s  %16s  %16s  %16s  %16s  %8s\n", "event", "from [s]", "at [s]", "mass [kg]", "x [mm]",
+                "y [mm]", "z [mm]", "took[us]");
+  }
+  const auto report = [&request](const auto& happened) {
+    if (request.json)
+      std::cout << to_json(happened).dump() << "\n";
+    else
+      print_row(happened);
+  };
+  const ReplaySummary summary = replay(log, request.replay.options, request.replay.prior(log), report, report);
+  if (request.json) {
+    ordered_json out;
+    out["type"] = "summary";
+    out["samples"] = summary.samples;
+    out["estimates"] = summary.estimates;
+    out["rejected"] = summary.rejected;
+    std::cout << out.dump() << "\n";
+  } else {
+    std::printf("%zu samples, %d estimates, %d rejected\n", summary.samples, summary.estimates, summary.rejected);
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  Request request;
-  try {
-    request = parse(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "replay_log: " << error.what() << "\nusage: replay_log LOG.csv[.gz] [options]\n"
-              << kReplayUsage << "  --json              one JSON object per line\n";
-    return 2;
-  }
-  try {
-    const Log<7> log = read_log<7>(request.log);
-    require_external_torque(log);
-    if (log.size() < 2) throw LogError(log.name + ": has a single row, which gives no sample rate");
-    if (!request.json) {
-      std::printf("%5s %8s %8s  %16s  %16s  %16s  %16s  %8s\n", "event", "from [s]", "at [s]", "mass [kg]", "x [mm]",
-                  "y [mm]", "z [mm]", "took[us]");
-    }
-    const auto report = [&request](const auto& happened) {
-      if (request.json)
-        std::cout << to_json(happened).dump() << "\n";
-      else
-        print_row(happened);
-    };
-    const ReplaySummary summary = replay(log, request.replay.options, request.replay.prior(log), report, report);
-    if (request.json) {
-      ordered_json out;
-      out["type"] = "summary";
-      out["samples"] = summary.samples;
-      out["estimates"] = summary.estimates;
-      out["rejected"] = summary.rejected;
-      std::cout << out.dump() << "\n";
-    } else {
-      std::printf("%zu samples, %d estimates, %d rejected\n", summary.samples, summary.estimates, summary.rejected);
-    }
-  } catch (const std::exception& error) {
-    std::cerr << "replay_log: " << error.what() << "\n";
-    return 3;
-  }
-  return 0;
+  return run_program("replay_log", std::string(kUsage) + kReplayUsage + kOwnUsage, argc, argv, run);
 }

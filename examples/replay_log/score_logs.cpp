@@ -12,16 +12,21 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <exception>
-#include <iostream>
 #include <limits>
 #include <optional>
 
+#include "io/program.hpp"
 #include "replay_log/options.hpp"
 
 namespace {
 
 using namespace rme::examples;
+
+constexpr const char* kUsage = "usage: score_logs LOG.csv[.gz]... [options]\n";
+constexpr const char* kOwnUsage =
+    "  --at-attach D       estimate from D seconds after the first change of the truth [s]\n"
+    "  --every S           with --at-attach: and again every S seconds, up to the next change [s]\n"
+    "  --verbose           a line for each event\n";
 
 constexpr double kNinety = 1.6448536269514722;  // half width of a Gaussian's 90 % interval [standard deviations]
 
@@ -126,68 +131,53 @@ void print(const Scores& scores) {
     std::printf("empty hand: at most %.1f g were still seen\n", 1e3 * left);
 }
 
+int run(Arguments& arguments) {
+  const bool verbose = arguments.flag("--verbose");
+  const std::optional<double> at_attach = arguments.number("--at-attach"), every = arguments.number("--every");
+  if (every && !(*every > 0 && at_attach)) throw ArgumentError("--every: must be above 0 s, and needs --at-attach");
+  ReplayRequest request = parse_replay_options(arguments);
+  std::vector<std::string> names;
+  do names.push_back(arguments.positional("LOG.csv"));
+  while (!arguments.empty());
+
+  Scores scores;
+  for (const std::string& name : names) {
+    const Log<7> log = read_log<7>(name);
+    require_external_torque(log);
+    if (log.truth.empty()) throw LogError(name + ": has no truth columns m, rx, ry, rz");
+    std::size_t end = 0;  // of the first change's payload
+    if (at_attach) {
+      std::size_t row = 1;
+      while (row < log.size() && log.truth[row] == log.truth[row - 1]) ++row;
+      if (row == log.size()) throw LogError(name + ": the truth never changes");
+      request.options.at = log.t[row] + *at_attach;
+      end = row;
+      while (end + 1 < log.size() && log.truth[end + 1] == log.truth[row]) ++end;
+    }
+    const std::size_t before = scores.found.size();
+    score(log, request, scores);
+    // Every window is estimated for itself.
+    while (every && (*request.options.at += *every) + request.options.estimator.collection < log.t[end])
+      score(log, request, scores);
+    if (!verbose) continue;
+    std::printf("%s\n", name.c_str());
+    for (std::size_t i = before; i < scores.found.size(); ++i) {
+      const Scored& s = scores.found[i];
+      std::printf("  after %5.0f ms: %6.3f kg, error %7.1f +- %5.1f g, com %6.1f %6.1f %6.1f +- %4.1f %4.1f %4.1f mm\n",
+                  1e3 * s.delay, s.truth[0], 1e3 * s.error[0], 1e3 * s.deviation[0], 1e3 * s.error[1], 1e3 * s.error[2],
+                  1e3 * s.error[3], 1e3 * s.deviation[1], 1e3 * s.deviation[2], 1e3 * s.deviation[3]);
+    }
+  }
+  if (scores.found.empty()) {
+    std::printf("no event was answered; %d missed\n", scores.missed);
+    return 1;
+  }
+  print(scores);
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  ReplayRequest request;
-  std::vector<std::string> names;
-  bool verbose = false;
-  std::optional<double> at_attach, every;
-  try {
-    Arguments arguments(argc, argv);
-    verbose = arguments.flag("--verbose");
-    at_attach = arguments.number("--at-attach");
-    every = arguments.number("--every");
-    if (every && !(*every > 0 && at_attach)) throw ArgumentError("--every: must be above 0 s, and needs --at-attach");
-    request = parse_replay_options(arguments);
-    do names.push_back(arguments.positional("LOG.csv"));
-    while (!arguments.empty());
-  } catch (const std::exception& error) {
-    std::cerr << "score_logs: " << error.what() << "\nusage: score_logs LOG.csv[.gz]... [options]\n"
-              << kReplayUsage
-              << "  --at-attach D       estimate from D seconds after the first change of the truth [s]\n"
-              << "  --every S           with --at-attach: and again every S seconds, up to the next change [s]\n"
-              << "  --verbose           a line for each event\n";
-    return 2;
-  }
-  try {
-    Scores scores;
-    for (const std::string& name : names) {
-      const Log<7> log = read_log<7>(name);
-      require_external_torque(log);
-      if (log.truth.empty()) throw LogError(name + ": has no truth columns m, rx, ry, rz");
-      std::size_t end = 0;  // of the first change's payload
-      if (at_attach) {
-        std::size_t row = 1;
-        while (row < log.size() && log.truth[row] == log.truth[row - 1]) ++row;
-        if (row == log.size()) throw LogError(name + ": the truth never changes");
-        request.options.at = log.t[row] + *at_attach;
-        end = row;
-        while (end + 1 < log.size() && log.truth[end + 1] == log.truth[row]) ++end;
-      }
-      const std::size_t before = scores.found.size();
-      score(log, request, scores);
-      // Every window is estimated for itself.
-      while (every && (*request.options.at += *every) + request.options.estimator.collection < log.t[end])
-        score(log, request, scores);
-      if (!verbose) continue;
-      std::printf("%s\n", name.c_str());
-      for (std::size_t i = before; i < scores.found.size(); ++i) {
-        const Scored& s = scores.found[i];
-        std::printf(
-            "  after %5.0f ms: %6.3f kg, error %7.1f +- %5.1f g, com %6.1f %6.1f %6.1f +- %4.1f %4.1f %4.1f mm\n",
-            1e3 * s.delay, s.truth[0], 1e3 * s.error[0], 1e3 * s.deviation[0], 1e3 * s.error[1], 1e3 * s.error[2],
-            1e3 * s.error[3], 1e3 * s.deviation[1], 1e3 * s.deviation[2], 1e3 * s.deviation[3]);
-      }
-    }
-    if (scores.found.empty()) {
-      std::printf("no event was answered; %d missed\n", scores.missed);
-      return 1;
-    }
-    print(scores);
-  } catch (const std::exception& error) {
-    std::cerr << "score_logs: " << error.what() << "\n";
-    return 3;
-  }
-  return 0;
+  return run_program("score_logs", std::string(kUsage) + kReplayUsage + kOwnUsage, argc, argv, run);
 }

@@ -1,19 +1,29 @@
 // run_network WEIGHTS.json INPUTS.json: what does an exported network say? The check that an export is right.
 //
-// INPUTS.json is an array of windows, each 20 samples x 6 channels: raw (un-normalised) pseudo-wrenches, force [N] then
-// moment [N m], oldest sample first, in the axes that the weights file states under input.frame.
-// Prints an array with one array per window, (mass [kg], com_x, com_y, com_z [m]), 9 significant digits.
-// Exit code: 0, or 2 for arguments it cannot use, or 3 for a file it cannot read or use; then standard output is empty.
+// Standard output is empty unless all of it is there.
 #include <cstdio>
 #include <memory>
 #include <rme/network/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "io/program.hpp"
 #include "json_file.hpp"
 
 namespace {
 
+constexpr const char* kUsage =
+    R"(usage: run_network WEIGHTS.json INPUTS.json
+
+INPUTS.json is an array of windows, each 20 samples x 6 channels: raw (un-normalised) pseudo-wrenches, force [N] then
+moment [N m], oldest sample first, in the axes that the weights file states under input.frame. Prints an array with one
+array per window, (mass [kg], com_x, com_y, com_z [m]), 9 significant digits.
+
+Exit codes: 0 done; 2 unusable arguments; 3 a file that cannot be read or used.
+)";
+
+using rme::examples::Arguments;
 using Network = rme::MismatchNetwork<double>;
 
 std::unique_ptr<Network> load_network(const std::string& path) {
@@ -25,7 +35,7 @@ std::unique_ptr<Network> load_network(const std::string& path) {
   }
 }
 
-std::vector<Network::Output> run(const Network& network, const std::string& path) {
+std::vector<Network::Output> answers(const Network& network, const std::string& path) {
   const nlohmann::json file = rme::examples::read_json_file(path);
   if (!file.is_array())
     throw std::runtime_error(path + ": expected an array of windows, got " + rme::detail::describe(file));
@@ -43,20 +53,10 @@ std::vector<Network::Output> run(const Network& network, const std::string& path
   return outputs;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: %s WEIGHTS.json INPUTS.json\n", argc > 0 ? argv[0] : "run_network");
-    return 2;
-  }
-  std::vector<Network::Output> outputs;
-  try {
-    outputs = run(*load_network(argv[1]), argv[2]);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "run_network: %s\n", error.what());
-    return 3;
-  }
+int run(Arguments& arguments) {
+  const std::string weights = arguments.positional("WEIGHTS.json"), inputs = arguments.positional("INPUTS.json");
+  arguments.finish();
+  const std::vector<Network::Output> outputs = answers(*load_network(weights), inputs);
   std::printf("[");
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     std::printf(i == 0 ? "\n  [" : ",\n  [");
@@ -64,5 +64,12 @@ int main(int argc, char** argv) {
     std::printf("]");
   }
   std::printf("\n]\n");
-  return std::fflush(stdout) == 0 ? 0 : 3;
+  if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write to standard output");
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return rme::examples::run_program("run_network", kUsage, argc, argv, run);
 }

@@ -4,24 +4,17 @@
 // have noise, offsets and friction (examples/synthetic_arm). Each event is cut into several windows that start up to
 // 0.6 s after the attach. Every event has its own seed, so that the file does not depend on the number of threads.
 //
-//     --events N         simulated payloads (default 1000)
-//     --windows N        windows of each (default 4)
-//     --seed N           (default 1)
-//     --pose ready|any   N(0, 0.1 rad) around the ready pose, or anywhere (default any)
-//     --damping X        lambda of the pseudo-wrench (default 1e-2)
-//     --threads N        (default: all cores)
-//
 // FILE: one line of JSON that names the columns, then 32-bit floats, row after row, little-endian; train.py reads it.
-// Exit code: 0, or 2 for arguments it cannot use, or 3 if the file cannot be written.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
-#include <io/arguments.hpp>
+#include <io/program.hpp>
 #include <random>
 #include <rme/sensing/pseudo_wrench.hpp>
+#include <stdexcept>
 #include <string>
 #include <synthetic_arm/panda.hpp>
 #include <synthetic_arm/pose_impedance.hpp>
@@ -33,6 +26,21 @@
 namespace {
 
 using namespace rme::examples;
+
+constexpr const char* kUsage =
+    R"(usage: generate_dataset FILE [options]
+
+  --events N         simulated payloads (default 1000)
+  --windows N        windows of each (default 4)
+  --seed N           of everything random (default 1)
+  --pose ready|any   N(0, 0.1 rad) around the ready pose, or anywhere (default any)
+  --damping X        lambda of the pseudo-wrench (default 1e-2)
+  --threads N        (default: all cores)
+  --help             this text
+
+Exit codes: 0 done; 2 unusable arguments; 3 the file cannot be written.
+)";
+
 using Vector7 = rme::JointVector<double, 7>;
 using Vector6 = rme::Vector6<double>;
 
@@ -163,7 +171,10 @@ std::vector<float> make_rows(const Settings& settings, int index) {
   }
 }
 
-bool generate(const Settings& settings, const std::string& path, unsigned threads) {
+/// @throws std::runtime_error if the file cannot be written
+void generate(const Settings& settings, const std::string& path, unsigned threads) {
+  std::ofstream file(path, std::ios::binary);  // before the work that would be lost
+  if (!file) throw std::runtime_error(path + ": cannot be written");
   std::vector<std::vector<float>> rows(static_cast<std::size_t>(settings.events));
   std::atomic<int> next{0};
   const auto work = [&] {
@@ -177,44 +188,33 @@ bool generate(const Settings& settings, const std::string& path, unsigned thread
   for (std::thread& worker : workers) worker.join();
   std::fprintf(stderr, "\n");
 
-  std::ofstream file(path, std::ios::binary);
   file << kColumns << R"("rows": )" << settings.events * settings.windows << R"(, "events": )" << settings.events
        << R"(, "seed": )" << settings.seed << R"(, "pose": ")" << (settings.any_pose ? "any" : "ready")
        << R"(", "damping": )" << settings.damping << "}\n";
   for (const std::vector<float>& event : rows) {
     file.write(reinterpret_cast<const char*>(event.data()), static_cast<std::streamsize>(event.size() * sizeof(float)));
   }
-  return static_cast<bool>(file.flush());
+  if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
+}
+
+int run(Arguments& arguments) {
+  Settings settings;
+  settings.events = static_cast<int>(arguments.whole("--events", 1).value_or(1000));
+  settings.windows = static_cast<int>(arguments.whole("--windows", 1, 1000).value_or(4));
+  settings.seed = arguments.whole("--seed", 0).value_or(1);
+  settings.any_pose = arguments.choice<bool>("--pose", {{"any", true}, {"ready", false}}).value_or(true);
+  settings.damping = arguments.number("--damping").value_or(settings.damping);
+  if (!(settings.damping > 0)) throw ArgumentError("--damping: expected a number > 0");
+  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  const auto threads = static_cast<unsigned>(arguments.whole("--threads", 1, 1000).value_or(cores));
+  const std::string path = arguments.positional("FILE");
+  arguments.finish();
+  generate(settings, path, threads);
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Settings settings;
-  std::string path;
-  unsigned threads = 1;
-  try {
-    Arguments arguments(argc, argv);
-    settings.events = static_cast<int>(arguments.whole("--events", 1).value_or(1000));
-    settings.windows = static_cast<int>(arguments.whole("--windows", 1, 1000).value_or(4));
-    settings.seed = arguments.whole("--seed", 0).value_or(1);
-    settings.any_pose = arguments.choice<bool>("--pose", {{"any", true}, {"ready", false}}).value_or(true);
-    settings.damping = arguments.number("--damping").value_or(settings.damping);
-    if (!(settings.damping > 0)) throw ArgumentError("--damping: expected a number > 0");
-    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-    threads = static_cast<unsigned>(arguments.whole("--threads", 1, 1000).value_or(cores));
-    path = arguments.positional("FILE");
-    arguments.finish();
-  } catch (const ArgumentError& error) {
-    std::fprintf(stderr,
-                 "%s\nusage: %s FILE [--events N] [--windows N] [--seed N] [--pose ready|any] "
-                 "[--damping X] [--threads N]\n",
-                 error.what(), argv[0]);
-    return 2;
-  }
-  if (!generate(settings, path, threads)) {
-    std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
-    return 3;
-  }
-  return 0;
+  return run_program("generate_dataset", kUsage, argc, argv, run);
 }

@@ -4,19 +4,28 @@
 //
 //     #include "panda_weights.hpp"
 //     static const rme::MismatchNetwork<float> network(panda_weights);
-//
-// Exit code: 0, or 2 for arguments it cannot use, or 3 for a file it cannot read or use.
 #include <cctype>
 #include <cstdio>
-#include <exception>
+#include <io/program.hpp>
 #include <memory>
 #include <rme/network/json.hpp>
 #include <run_network/json_file.hpp>
+#include <stdexcept>
 #include <string>
 
 namespace {
 
 using Model = rme::MismatchModel<float>;
+using rme::examples::ArgumentError;
+using rme::examples::Arguments;
+
+constexpr const char* kUsage =
+    R"(usage: weights_to_header WEIGHTS.json NAME
+
+Prints the weights as a C++ header with a constant NAME, which must be a C++ identifier.
+
+Exit codes: 0 done; 2 unusable arguments; 3 unusable weights.
+)";
 
 bool is_identifier(const std::string& name) {
   if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0]))) return false;
@@ -57,19 +66,18 @@ void print_header(const Model& model, const std::string& name) {
   std::printf("};\n");
 }
 
+int run(Arguments& arguments) {
+  const std::string file = arguments.positional("WEIGHTS.json"), name = arguments.positional("NAME");
+  arguments.finish();
+  if (!is_identifier(name)) throw ArgumentError("NAME: \"" + name + "\" is no C++ identifier");
+  const auto model = std::make_unique<Model>(rme::model_from_json<float>(rme::examples::read_json_file(file)));
+  print_header(*model, name);
+  if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write to standard output");
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3 || !is_identifier(argv[2])) {
-    std::fprintf(stderr, "usage: %s WEIGHTS.json NAME\n  NAME: a C++ identifier\n", argv[0]);
-    return 2;
-  }
-  try {
-    const auto model = std::make_unique<Model>(rme::model_from_json<float>(rme::examples::read_json_file(argv[1])));
-    print_header(*model, argv[2]);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "weights_to_header: %s\n", error.what());
-    return 3;
-  }
-  return std::fflush(stdout) == 0 ? 0 : 3;
+  return rme::examples::run_program("weights_to_header", kUsage, argc, argv, run);
 }

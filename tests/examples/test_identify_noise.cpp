@@ -214,15 +214,18 @@ TEST_CASE("identify_noise: unusable arguments end with exit code 2, the reason a
 TEST_CASE("identify_noise: an unusable log ends with exit code 3 and the reason", "[identify_noise]") {
   const std::string header = "t,q1,q2,q3,q4,q5,q6,q7,tau_ext1,tau_ext2,tau_ext3,tau_ext4,tau_ext5,tau_ext6,tau_ext7\n";
   const std::string zeros = ",0,0,0,0,0,0,0,0,0,0,0,0,0,0\n";
+  const std::string one_row = header + "0" + zeros;
+  const std::string bad_cell = one_row + "0.001,0,x,0,0,0,0,0,0,0,0,0,0,0,0\n";
+  const std::string slow = one_row + "0.1" + zeros;
   struct Case {
     std::string content;
     const char* message;
   };
   for (const Case& c :
-       {Case{header + "0" + zeros + "0.001,0,x,0,0,0,0,0,0,0,0,0,0,0,0\n", "bad.csv:3: column q2: \"x\""},
-        {header + "0" + zeros, "bad.csv: has fewer than two rows"},
+       {Case{bad_cell, "bad.csv:3: column q2: \"x\""},
+        {one_row, "bad.csv: has fewer than two rows"},
         {"t,q1,q2,q3,q4,q5,q6,q7\n0,0,0,0,0,0,0,0\n", "bad.csv:1: columns tau_ext1..tau_ext7 are missing"},
-        {header + "0" + zeros + "0.1" + zeros, "EstimatorConfig::onset_span"},
+        {slow, "EstimatorConfig::onset_span"},
         {resting(0.05, 0, 2), "bad.csv: 10 windows of 0.5 s are needed, the log holds 3"}}) {
     CAPTURE(c.message);
     const TemporaryFile file("bad.csv", c.content);

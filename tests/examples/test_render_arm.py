@@ -56,4 +56,4 @@ with tempfile.TemporaryDirectory() as name:
     assert centre(draw("--com", "0,0,0.3")[1][0])[0] > centre(held)[0] + 50, "the box is drawn where it is said to be"
 
     missing = run_with("--mass", "9")
-    assert missing.returncode == 1 and "nothing of this mass" in missing.stderr
+    assert missing.returncode == 3 and "nothing of this mass" in missing.stderr

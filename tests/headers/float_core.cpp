@@ -10,7 +10,8 @@
 #include <type_traits>
 
 #include "network/golden.hpp"
-#include "support/random_events.cpp"  // all of the program is one translation unit
+// One translation unit, for a compiler that is not this build's.
+#include "support/random_events.cpp"  // NOLINT(bugprone-suspicious-include)
 
 namespace {
 

@@ -220,11 +220,7 @@ bool agree(const json& file, const json& model) {
   return accepted;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const long cases = argc > 1 ? std::atol(argv[1]) : 20000;
-  const auto seed = static_cast<unsigned>(argc > 2 ? std::atol(argv[2]) : 1);
+int fuzz(long cases, unsigned seed) {
   const std::string text = original().dump();
   const json model = json::parse(text);
   Random random(seed);
@@ -253,4 +249,15 @@ int main(int argc, char** argv) {
   std::printf("seed %u: %ld cases, %ld of them good, %ld no JSON, the others refused\n", seed, cases, accepted,
               unparsed);
   return accepted > 0 && unparsed > 0 && accepted + unparsed < cases ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return fuzz(argc > 1 ? std::atol(argv[1]) : 20000, static_cast<unsigned>(argc > 2 ? std::atol(argv[2]) : 1));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "fuzz_json: %s\n", error.what());
+    return 1;
+  }
 }

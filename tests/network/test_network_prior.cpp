@@ -43,7 +43,8 @@ TEST_CASE("NetworkPrior: asks the network about 20 pseudo-wrenches, each the new
     const auto network = std::make_unique<Network>(*weights);
     Network::Window input;
     for (int i = 0; i < 20; ++i) {
-      const auto& tick = recording.ticks[static_cast<std::size_t>(250 - 200 + 10 * i + 9)];
+      const int k = 250 - 200 + 10 * i + 9;
+      const auto& tick = recording.ticks[static_cast<std::size_t>(k)];
       const rme::Matrix6<double> damped =
           tick.jacobian * tick.jacobian.transpose() + 1e-2 * rme::Matrix6<double>::Identity();
       rme::Vector6<double> w = damped.inverse() * tick.jacobian * tick.tau_ext;

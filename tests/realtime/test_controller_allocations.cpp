@@ -31,6 +31,7 @@ TEST_CASE("Allocations: none in the controller, feasible or not", "[realtime]") 
   CAPTURE(seed);
   std::mt19937 random(seed);
   std::vector<oracle::RandomArm<7, 28>> arms;
+  arms.reserve(300);
   for (int i = 0; i < 300; ++i) arms.emplace_back(random, i % 2 == 0 ? 7 : 0, i % 12, i % 5 == 0 ? 2 : 40);
 
   rme::CpicConfig<double, 7> config;

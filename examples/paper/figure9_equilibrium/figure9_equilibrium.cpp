@@ -116,5 +116,5 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("rme_figure9_equilibrium", (std::string(kUsage) + Setup::kUsage).c_str(), argc, argv, run);
+  return run_program("rme_figure9_equilibrium", std::string(kUsage) + Setup::kUsage, argc, argv, run);
 }

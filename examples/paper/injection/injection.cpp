@@ -9,7 +9,6 @@
 // with the instant known to the estimator, and with the instant left to the detector; and how often the detector finds
 // something in the log as it is. Windows overlap where the log is short, so that their errors are not independent.
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -17,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "io/program.hpp"
 #include "paper/calibration/scores.hpp"
 #include "paper/injection/payload_injection.hpp"
 #include "replay_log/options.hpp"
@@ -53,8 +53,7 @@ struct Options {
   std::optional<std::string> output;
 };
 
-Options parse(int argc, char** argv) {
-  Arguments arguments(argc, argv);
+Options parse(Arguments& arguments) {
   Options options;
   options.windows = arguments.whole("--windows", 1, 1000000).value_or(options.windows);
   options.seed = arguments.whole("--seed", 0).value_or(options.seed);
@@ -160,7 +159,9 @@ void print_false_estimates(const Options& options, const Recording& recording) {
               estimates, estimates / minutes, rejected);
 }
 
-void study(const Options& options) {
+int run(Arguments& arguments) {
+  const Options options = parse(arguments);
+  if (options.output) make_folder("--output", *options.output);
   const Log<7> log = read_log<7>(options.log);
   require_external_torque(log);
   const Log<7> part = options.span ? cropped(log, (*options.span)[0], (*options.span)[1]) : log;
@@ -175,28 +176,11 @@ void study(const Options& options) {
   for (const Table& table : tables) print(table, &table != &tables.front());
   print_false_estimates(options, recording);
   if (options.output) write_csv(*options.output, tables);
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (std::any_of(argv + 1, argv + argc, [](const std::string& word) { return word == "--help" || word == "-h"; })) {
-    std::printf("%s", kUsage);
-    return 0;
-  }
-  Options options;
-  try {
-    options = parse(argc, argv);
-    if (options.output) make_folder("--output", *options.output);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "rme_injection: %s\n\n%s", error.what(), kUsage);
-    return 2;
-  }
-  try {
-    study(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "rme_injection: %s\n", error.what());
-    return 3;
-  }
-  return 0;
+  return run_program("rme_injection", kUsage, argc, argv, run);
 }

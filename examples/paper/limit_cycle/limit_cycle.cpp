@@ -212,5 +212,5 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("rme_limit_cycle", (std::string(kUsage) + Setup::kUsage + kExitCodes).c_str(), argc, argv, run);
+  return run_program("rme_limit_cycle", std::string(kUsage) + Setup::kUsage + kExitCodes, argc, argv, run);
 }

@@ -283,6 +283,5 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("rme_sequential_interaction", (std::string(kUsage) + Setup::kUsage + kExitCodes).c_str(), argc,
-                     argv, run);
+  return run_program("rme_sequential_interaction", std::string(kUsage) + Setup::kUsage + kExitCodes, argc, argv, run);
 }

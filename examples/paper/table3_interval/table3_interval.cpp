@@ -130,5 +130,5 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("rme_table3_interval", (std::string(kUsage) + Setup::kUsage).c_str(), argc, argv, run);
+  return run_program("rme_table3_interval", std::string(kUsage) + Setup::kUsage, argc, argv, run);
 }
