@@ -1,4 +1,4 @@
-// soak MINUTES [SEED]: so many minutes of simulated 1 kHz operation of one estimator, never reset.
+// soak: minutes or hours of simulated 1 kHz operation of one estimator, never reset.
 //
 // Objects come and go at random, one or two at a time; hands push; the arm moves between poses; samples are spoilt,
 // lost, frozen and wild. Ends with 0 if
@@ -11,18 +11,30 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <random>
 #include <rme/estimator.hpp>
 
+#include "io/program.hpp"
 #include "support/allocation_count.hpp"
 #include "support/held_arm.hpp"
 
 namespace {
 
 using rme::Payload;
+using rme::examples::ArgumentError;
+using rme::examples::Arguments;
 using rme::testing::HeldArm;
+
+constexpr const char* kUsage =
+    R"(usage: soak [options]
+
+  --minutes M   of simulated operation (default 10)
+  --seed N      of everything random (default 1)
+  --help        this text
+
+Exit codes: 0 all is as it should be; 1 not; 2 unusable arguments.
+)";
 using Estimator = rme::Estimator<double, 7>;
 using Tick = rme::Proprioception<double, 7>;
 using Estimate = rme::Estimate<double>;
@@ -210,16 +222,12 @@ double difference(const Estimate& a, const Estimate& b) {
                   (a.posterior.covariance - b.posterior.covariance).cwiseAbs().maxCoeff());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const double minutes = argc > 1 ? std::atof(argv[1]) : 0;
-  const unsigned long seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
-  if (!(minutes > 0)) {
-    std::fprintf(stderr, "usage: soak MINUTES [SEED]\n");
-    return 2;
-  }
-  std::printf("seed %lu\n%8s %9s %7s %9s %9s %7s %7s %7s %7s %10s %8s %6s %7s\n", seed, "minutes", "ticks", "events",
+int run(Arguments& arguments) {
+  const double minutes = arguments.number("--minutes").value_or(10);
+  const std::size_t seed = arguments.whole("--seed", 0).value_or(1);
+  arguments.finish();
+  if (!(minutes > 0)) throw ArgumentError("--minutes: must be above 0");
+  std::printf("seed %zu\n%8s %9s %7s %9s %9s %7s %7s %7s %7s %10s %8s %6s %7s\n", seed, "minutes", "ticks", "events",
               "unnoticed", "misjudged", "faulty", "missed", "pushes", "unasked", "mass err g", "drift", "alloc",
               "RSS MB");
   Soak soak(seed);
@@ -259,4 +267,10 @@ int main(int argc, char** argv) {
   if (!(drift <= kDrift)) std::printf("the noise-free event's estimate has moved\n");
   if (allocated > 0) std::printf("memory was allocated\n");
   return fair && c.bad_torques == 0 && seen && drift <= kDrift && allocated == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return rme::examples::run_program("soak", kUsage, argc, argv, run);
 }
