@@ -359,7 +359,7 @@ void Estimator<Scalar, Dofs, PriorSource>::make_early_estimate() noexcept {
   const Vector3<Scalar> com_guess = (latest_.final ? prior : latest_.posterior).mean.template tail<3>();
   const auto gentle = ticks_of(config_.gentle_window);
   const bool sharp = event_.onset_known() || triggered_ || event_.settled_count() >= gentle;
-  const Statistics sums = sharp ? event_.about(com_guess) : event_.sums(window_, 0, gentle).about(com_guess);
+  const Statistics sums = sharp ? event_.about(com_guess).all : event_.sums(window_, 0, gentle).about(com_guess);
   if (static_cast<std::size_t>(sums.count()) < ticks_of(config_.early_window)) return;
   ModelAverage<Scalar> average;
   verdict_ = inference_.judge(sums, sums, prior, known_.payload(), window_.newest().raw.jacobian, average);
@@ -397,14 +397,14 @@ void Estimator<Scalar, Dofs, PriorSource>::make_estimate() noexcept {
 
   // Payload or push is judged by the samples after the change has settled. The estimate is made from all of them, and
   // once more about the centre of mass found if that is another.
-  const Statistics event = event_.about(com_guess);
-  const Statistics settled = triggered_ ? event : event_.settled_about(com_guess);
+  const typename EventSamples<Scalar, Dofs>::Sums event = event_.about(com_guess);
   ModelAverage<Scalar> average;
-  verdict_ = inference_.judge(settled, event, prior, known_.payload(), window_.newest().raw.jacobian, average);
+  verdict_ = inference_.judge(triggered_ ? event.all : event.settled, event.all, prior, known_.payload(),
+                              window_.newest().raw.jacobian, average);
   const bool accepted = (triggered_ || verdict_.log_odds() > static_cast<Scalar>(config_.odds)) && !average.empty();
   if (accepted) {
     const Vector3<Scalar> com = average.moments().mean.template tail<3>();
-    if (!((com - com_guess).norm() < Scalar(kSameCom))) average = inference_.posterior(event_.about(com), prior);
+    if (!((com - com_guess).norm() < Scalar(kSameCom))) average = inference_.posterior(event_.about(com).all, prior);
   }
   if (accepted && !average.empty()) {
     pushed_ = false;

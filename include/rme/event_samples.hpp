@@ -93,14 +93,16 @@ class EventSamples {
   std::uint64_t first_tick() const noexcept { return onset_known_ ? first_tick_ : settled_tick_; }
   /// Samples since the change has settled.
   std::size_t settled_count() const noexcept { return static_cast<std::size_t>(settled_.count()); }
-  /// Sums of all samples for the model that is linear about com_guess [m], end-effector axes.
-  Statistics about(const Vector3<Scalar>& com_guess) const noexcept {
-    Statistics sums = since_onset_.about(com_guess);
-    sums += settled_.about(com_guess);
+  /// Sums of all samples, and of the settled ones among them.
+  struct Sums {
+    Statistics all, settled;
+  };
+  /// For the model that is linear about com_guess [m], end-effector axes.
+  Sums about(const Vector3<Scalar>& com_guess) const noexcept {
+    Sums sums{since_onset_.about(com_guess), settled_.about(com_guess)};
+    sums.all += sums.settled;
     return sums;
   }
-  /// The same of the settled ones.
-  Statistics settled_about(const Vector3<Scalar>& com_guess) const noexcept { return settled_.about(com_guess); }
 
  private:
   /// Of ticks whose noise is correlated: together they say little more than one of them.

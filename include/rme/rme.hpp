@@ -22,6 +22,7 @@
 #include <rme/core/require.hpp>
 #include <rme/core/ring_buffer.hpp>
 #include <rme/core/status.hpp>
+#include <rme/core/sum_of_logs.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
 #include <rme/estimate.hpp>

@@ -89,9 +89,9 @@ TEST_CASE("EventSamples: what was there before the onset was found is in its sum
   for (const Event* event : {&found_early, &found_late}) {
     CHECK(event->onset_known());
     CHECK(event->first_tick() == onset + guard);
-    CHECK(static_cast<std::uint64_t>(event->about(kCom).count()) == arm.now() - event->first_tick() + 1);
+    CHECK(static_cast<std::uint64_t>(event->about(kCom).all.count()) == arm.now() - event->first_tick() + 1);
   }
-  CHECK(difference(found_late.about(kCom), found_early.about(kCom)) < 1e-12);
+  CHECK(difference(found_late.about(kCom).all, found_early.about(kCom).all) < 1e-12);
 }
 
 TEST_CASE("EventSamples: the settled samples are kept apart, and count in the whole", "[event_samples]") {
@@ -104,7 +104,7 @@ TEST_CASE("EventSamples: the settled samples are kept apart, and count in the wh
   arm.ticks(60);
   Event event(kPeriod, config);
   REQUIRE(event.locate(arm.window(), arm.now(), 120));
-  const int before = event.about(kCom).count();
+  const int before = event.about(kCom).all.count();
   CHECK(before == 60 + 1 - std::lround(config.onset_guard / kPeriod));
   CHECK(event.settled_count() == 0);
   for (int k = 0; k < 50; ++k) {
@@ -112,9 +112,9 @@ TEST_CASE("EventSamples: the settled samples are kept apart, and count in the wh
     event.add_settled(arm.window().newest(), arm.now());
   }
   CHECK(event.settled_count() == 50);
-  CHECK(event.settled_about(kCom).count() == 50);
-  CHECK(event.about(kCom).count() == before + 50);
-  CHECK(difference(event.settled_about(kCom), event.sums(arm.window(), 0, 50).about(kCom)) < 1e-12);
+  CHECK(event.about(kCom).settled.count() == 50);
+  CHECK(event.about(kCom).all.count() == before + 50);
+  CHECK(difference(event.about(kCom).settled, event.sums(arm.window(), 0, 50).about(kCom)) < 1e-12);
 }
 
 TEST_CASE("EventSamples: a step that is not wholly in view is none yet, and what was known stays", "[event_samples]") {
@@ -127,7 +127,7 @@ TEST_CASE("EventSamples: a step that is not wholly in view is none yet, and what
   Event event(kPeriod, Config());
   CHECK(event.locate(arm.window(), arm.now(), 100));
   CHECK_FALSE(event.onset_known());
-  CHECK(event.about(kCom).count() == 0);
+  CHECK(event.about(kCom).all.count() == 0);
   arm.ticks(2);
   CHECK(event.locate(arm.window(), arm.now(), 100));
   CHECK(event.onset_known());
@@ -143,7 +143,7 @@ TEST_CASE("EventSamples: a hand-over without a step gathers nothing", "[event_sa
   CHECK_FALSE(event.locate(arm.window(), arm.now(), 380));
   CHECK_FALSE(event.onset_known());
   event.add(arm.window().newest(), arm.now());
-  CHECK(event.about(kCom).count() == 0);
+  CHECK(event.about(kCom).all.count() == 0);
 }
 
 TEST_CASE("EventSamples: the same step found again changes nothing, another one starts anew", "[event_samples]") {
@@ -168,7 +168,7 @@ TEST_CASE("EventSamples: the same step found again changes nothing, another one 
   CHECK(event.locate(arm.window(), arm.now(), 120));
   CHECK(event.first_tick() > onset);
   CHECK(event.settled_count() == 0);
-  CHECK(static_cast<std::uint64_t>(event.about(kCom).count()) == arm.now() - event.first_tick() + 1);
+  CHECK(static_cast<std::uint64_t>(event.about(kCom).all.count()) == arm.now() - event.first_tick() + 1);
 }
 
 TEST_CASE("EventSamples: without an onset the first settled sample is the first of all", "[event_samples]") {

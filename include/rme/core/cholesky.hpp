@@ -2,6 +2,7 @@
 /// Cholesky factorisation of matrices so small that a general one spends its time on everything but arithmetic.
 #include <Eigen/Core>
 #include <cmath>
+#include <rme/core/sum_of_logs.hpp>
 
 namespace rme {
 
@@ -45,7 +46,7 @@ class Cholesky {
   }
   /// log det L, half that of A.
   Scalar log_det_lower() const noexcept {
-    return L_.diagonal().array().log().sum();
+    return sum_of_logs(L_.diagonal());
   }
 
   /// L^-1 X.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <rme/core/status.hpp>
+#include <rme/core/sum_of_logs.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/inference_result.hpp>
 #include <rme/inference/payload_gaussian.hpp>
@@ -70,7 +71,7 @@ class MeanFieldAscent {
  private:
   Matrix4<Scalar> precision() const noexcept { return joint_.precision(mean_, variance_.asDiagonal()); }
   Scalar objective(const Vector4<Scalar>& mean) const noexcept {
-    return joint_.value(mean, variance_.asDiagonal()) + Scalar(0.5) * variance_.array().log().sum();
+    return joint_.value(mean, variance_.asDiagonal()) + Scalar(0.5) * sum_of_logs(variance_);
   }
 
   /// A Newton step of all means. @return whether one was found that does not lower the objective

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <rme/core/require.hpp>
+#include <rme/core/sum_of_logs.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/payload_statistics.hpp>
 
@@ -44,7 +45,7 @@ struct SensorModel {
   }
   /// Log of the noise's normaliser over `count` samples, up to what all sensor models share: to compare their evidence.
   Scalar log_factor(Scalar dt, int count) const noexcept {
-    return -independent_samples(dt, count) * noise.array().log().sum();
+    return -independent_samples(dt, count) * sum_of_logs(noise);
   }
 
   /// Nuisances of a window of which nothing else is known.

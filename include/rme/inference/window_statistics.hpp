@@ -45,6 +45,7 @@ class WindowStatistics {
 
   /// The sums of the model that is linear about r0 = com_guess [m], end-effector axes.
   PayloadStatistics<Scalar, Dofs> about(const Vector3<Scalar>& com_guess) const noexcept {
+    if (count() == 0) return PayloadStatistics<Scalar, Dofs>();
     const Vector3<Scalar>& r = com_guess;
     Eigen::Matrix<Scalar, 6, 4> U;  // what Q adds to a and to B
     U.col(0) = -products(r);
