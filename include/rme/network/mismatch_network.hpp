@@ -43,9 +43,9 @@ class MismatchNetwork {
   ///         then `out` is untouched
   Status forward(const Window& window, Output& out) const noexcept;
 
-  /// Asks for one of `shares` equal parts of what forward() goes through first, for a caller who has something else to
-  /// do before: the weights come from memory meanwhile. The rest forward() asks for itself. Without effect but on time.
-  void prefetch(int share, int shares) const noexcept { detail::prefetch(this, &value_weight_, share, shares); }
+  /// Asks for one of `shares` equal parts of the weights, for a caller who has something else to do before forward():
+  /// they come from memory meanwhile. Without effect but on time.
+  void prefetch(int share, int shares) const noexcept { detail::prefetch(this, this + 1, share, shares); }
 
   InputFrame frame() const noexcept { return frame_; }
   const Normalization<Scalar, A::kChannels>& normalization() const noexcept { return normalization_; }
@@ -152,7 +152,6 @@ Status MismatchNetwork<Scalar, Architecture>::forward(const Window& window, Outp
   query_key.noalias() += patches * query_key_weight_;
   Matrix<kEmbed, 1> pooled;  // values under the mean attention, all heads
   for (int h = 0; h < A::kHeads; ++h) {
-    detail::prefetch(&value_weight_, this + 1, h, A::kHeads);
     const int row = h * kHeadSize;
     const Matrix<A::kSamples, 1> mean_weights = mean_attention_weights<Scalar, A::kSamples>(
         query_key.template middleCols<kHeadSize>(row), query_key.template middleCols<kHeadSize>(kEmbed + row));
