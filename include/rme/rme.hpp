@@ -18,7 +18,6 @@
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/plausible.hpp>
-#include <rme/core/prefetch.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/ring_buffer.hpp>
 #include <rme/core/status.hpp>

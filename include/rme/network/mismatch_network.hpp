@@ -2,7 +2,6 @@
 /// The network that guesses the payload from the first 200 ms of pseudo-wrench.
 #include <Eigen/Core>
 #include <cmath>
-#include <rme/core/prefetch.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
 #include <rme/network/conv1d.hpp>
@@ -42,10 +41,6 @@ class MismatchNetwork {
   /// @return Ok, or NonFiniteInput if the window holds a NaN, an infinity, or numbers so large that the result would:
   ///         then `out` is untouched
   Status forward(const Window& window, Output& out) const noexcept;
-
-  /// Asks for one of `shares` equal parts of the weights, for a caller who has something else to do before forward():
-  /// they come from memory meanwhile. Without effect but on time.
-  void prefetch(int share, int shares) const noexcept { detail::prefetch(this, this + 1, share, shares); }
 
   InputFrame frame() const noexcept { return frame_; }
   const Normalization<Scalar, A::kChannels>& normalization() const noexcept { return normalization_; }

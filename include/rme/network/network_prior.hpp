@@ -103,7 +103,6 @@ bool NetworkPrior<Scalar, Architecture, NetworkScalar>::guess(const SampleWindow
   if (stride_ * samples > count) return false;
   Input input;
   for (int i = 0; i < samples; ++i) {
-    network_->prefetch(i, samples);
     const Proprioception<Scalar, Dofs>& tick = window.newest(stride_ * static_cast<std::size_t>(samples - 1 - i)).raw;
     Wrench<Scalar> wrench;
     if (pseudo_wrench<Scalar, Dofs>(tick.jacobian, tick.tau_ext, config_.damping, wrench) != Status::Ok) return false;
