@@ -247,7 +247,8 @@ The events are simulated at full speed, so that between two estimates the caches
 {chr(10).join(target_rows)}
 
 The whole estimate is the tick on which the window is complete: from its last sample to payload, covariance and
-compensation torque. What bounds each call: [real_time.md](real_time.md).
+compensation torque. On the tick before, the network is asked once in vain, so that it is in the cache when it counts; that
+is among the ticks while collecting, one in two hundred. What bounds each call: [real_time.md](real_time.md).
 
 ## Against what one would use instead
 

@@ -1,4 +1,5 @@
-// The core without exceptions and run-time types, in float and double. Ends with 0 if it still computes what it should.
+// The core without exceptions and run-time types, in float and double, or in RME_SMOKE_SCALAR alone. Ends with 0 if it
+// still computes what it should.
 #include <cmath>
 #include <rme/rme.hpp>
 
@@ -68,5 +69,9 @@ bool all() {
 }  // namespace
 
 int main() {
+#ifdef RME_SMOKE_SCALAR
+  return all<RME_SMOKE_SCALAR>() ? 0 : 1;
+#else
   return all<float>() && all<double>() ? 0 : 1;
+#endif
 }
