@@ -144,12 +144,12 @@ class Estimator {
   std::uint64_t change_tick_ = 0;         // when it began, roughly
   Signal level_before_ = Signal::Zero();  // of the watched signal, before it
   double noticed_at_ = 0, detected_at_ = 0;
-  bool triggered_ = false;       // by the host, not by the detector
-  Unrest<Scalar, Dofs> unrest_;  // of the collection
-  std::size_t collected_ = 0;    // samples since the collection began
-  int restarts_ = 0;             // of this collection
-  PayloadGaussian<Scalar> event_prior_;
-  std::size_t steady_ = 0;  // ticks for which early estimates have looked like a payload
+  bool triggered_ = false;               // by the host, not by the detector
+  Unrest<Scalar, Dofs> unrest_;          // of the collection
+  std::size_t collected_ = 0;            // samples since the collection began
+  int restarts_ = 0;                     // of this collection
+  PayloadGaussian<Scalar> event_prior_;  // a member, or what is asked in vain might be optimised away
+  std::size_t steady_ = 0;               // ticks for which early estimates have looked like a payload
 };
 
 template <typename Scalar, int Dofs, typename PriorSource>
@@ -345,7 +345,7 @@ void Estimator<Scalar, Dofs, PriorSource>::collect() noexcept {
   unrest_.add(window_.newest().tau);
   const std::size_t count = ticks_of(config_.collection);
   // A network's weights and code have left the cache since the last event. Asked in vain now, when there is time, it
-  // answers in a third less of it on the tick that everybody waits for.
+  // answers sooner on the tick that everybody waits for.
   if (collected_ + 2 == count) event_prior_ = prior_(window_, std::min(count, window_.size()));
   if (++collected_ >= count) {
     if (triggered_) locate_onset();  // the weight may have come after the trigger

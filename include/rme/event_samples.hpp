@@ -23,7 +23,7 @@ class EventSamples {
   using Statistics = PayloadStatistics<Scalar, Dofs>;
 
   /// @param dt      control period [s]
-  /// @param config  valid: EstimatorConfig::validate()
+  /// @param config  valid (EstimatorConfig::validate()), with one sensor model at least
   EventSamples(double dt, const EstimatorConfig<Scalar, Dofs>& config) noexcept
       : gravity_(config.gravity),
         gyration_radius_(static_cast<Scalar>(config.gyration_radius)),
