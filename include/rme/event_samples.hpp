@@ -16,7 +16,8 @@ namespace rme {
 
 /// What is known of the change that is going on: the instant at which it happened, if that is sharp, and the sums of
 /// the samples since then. Those after it has settled are kept apart, since they alone tell a payload from a push. Real
-/// time: no call allocates or throws; locate() is O(range Dofs), all others are O(Dofs).
+/// time: no call allocates or throws. locate() is O(range Dofs), sums() and quiet_sums() are O(count Dofs), all others
+/// O(Dofs).
 template <typename Scalar, int Dofs>
 class EventSamples {
  public:
