@@ -3,8 +3,8 @@
 
     python3 plot.py DIR [PICTURE]
 
-Above, how far the flange strayed with and without compensation; below, the norm of the external torque with the window
-in which the detector saw the change and the samples that were collected after it (Figure 7 of the paper).
+Above, how far the flange strayed with and without compensation; in the middle, the mass that is believed; below, the norm
+of the external torque, and when the likeliest hypothesis was a change.
 """
 import argparse
 import csv
@@ -17,27 +17,27 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-DETECTOR_WINDOW = 0.5  # MismatchDetectorConfig::window [s]
-WITH, WITHOUT, DETECTION, COLLECTION = "#0072b2", "#d55e00", "#e8e8e8", "#cfe3f1"
+WITH, WITHOUT, CHANGE = "#0072b2", "#d55e00", "#cfe3f1"
+SETTLED = ("empty", "steady")
 
 
 def read(path):
-    """Columns by name; all numbers but the phase."""
+    """Columns by name; all numbers but the hypothesis."""
     with open(path, newline="") as file:
         rows = list(csv.DictReader(file))
     if not rows:
         raise ValueError(f"{path}: no rows")
-    return {name: np.array([row[name] if name == "phase" else float(row[name]) for row in rows]) for name in rows[0]}
+    return {name: np.array([row[name] if name == "hypothesis" else float(row[name]) for row in rows]) for name in rows[0]}
 
 
 def norm(run, names):
     return np.sqrt(sum(run[name] ** 2 for name in names))
 
 
-def collections(run):
-    """(begin, end) of each time the estimator collected samples [s]."""
-    collecting = run["phase"] == "Collecting"
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], collecting, [False]]).astype(int)))
+def changes(run):
+    """(begin, end) of each time that a change was likeliest [s]."""
+    changing = ~np.isin(run["hypothesis"], SETTLED)
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], changing, [False]]).astype(int)))
     t = np.append(run["t"], run["t"][-1])
     return [(t[a], t[b]) for a, b in edges.reshape(-1, 2)]
 
@@ -70,12 +70,9 @@ def draw(folder, picture):
     below.set_ylabel(r"$\Vert\tau_\mathrm{ext}\Vert_2$ [N m]")
     below.set_xlabel("time [s]")
     below.set_ylim(bottom=0)
-    for begin, end in collections(on):
+    for begin, end in changes(on):
         for axes in (above, middle, below):
-            axes.axvspan(begin - DETECTOR_WINDOW, begin, color=DETECTION, linewidth=0)
-            axes.axvspan(begin, end, color=COLLECTION, linewidth=0)
-        for x, text in ((begin - DETECTOR_WINDOW / 2, "detection"), ((begin + end) / 2, "collection")):
-            below.annotate(text, (x, 1.01), xycoords=("data", "axes fraction"), ha="center", fontsize=8)
+            axes.axvspan(begin, end, color=CHANGE, linewidth=0)
     for axes in (above, middle, below):
         axes.axvline(attached, color="grey", linestyle=":", linewidth=1)
         axes.set_xlim(0, on["t"][-1])

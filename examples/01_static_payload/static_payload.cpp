@@ -86,15 +86,14 @@ struct Row {
   double t;
   Torque q, dq, tau_ext, compensation;
   Eigen::Vector3d error;        // flange from its target [m]
-  double mass, mass_deviation;  // estimated, early or final [kg]; 0 for an empty hand
-  rme::Phase phase;
+  double mass, mass_deviation;  // believed [kg]
+  rme::Hypothesis likeliest;    // of what is going on
 };
 
 struct Run {
   std::vector<Row> rows;
-  rme::Estimate<double> estimate;  // the first one that found something
-  double estimate_time = 0;        // of the tick that made it [s]
-  rme::Estimate<double> early;     // the first early one
+  rme::EstimatorState<double> first, over, last;  // first belief in a payload, when its coming was over, at the end
+  double mean_time = 0, longest_time = 0;         // of a tick of the estimator [s]
 
   double error_at(double t) const { return rows[static_cast<std::size_t>(std::lround(t / kPeriod))].error.norm(); }
   double worst_error() const {
@@ -103,6 +102,11 @@ struct Run {
     return worst;
   }
 };
+
+rme::Hypothesis likeliest(const rme::EstimatorState<double>& state) {
+  const auto& p = state.probability.values;
+  return static_cast<rme::Hypothesis>(std::max_element(p.begin(), p.end()) - p.begin());
+}
 
 Run simulate(const Options& options, bool compensate) {
   using Clock = std::chrono::steady_clock;
@@ -127,16 +131,15 @@ Run simulate(const Options& options, bool compensate) {
     Torque tau = controller.torque(arm.q(), arm.dq(), arm.kinematics(), arm.dynamics());
     if (compensate) tau += ramp.torque();
 
-    const rme::Estimate<double>& estimate = estimator.estimate();
-    if (estimator.refreshed() && run.early.empty) run.early = estimate;
-    if (estimator.estimated() && run.estimate.empty) {
-      run.estimate = estimate;
-      run.estimate_time = elapsed;
-    }
+    const rme::EstimatorState<double>& state = estimator.state();
+    if (run.first.empty() && !state.empty()) run.first = state;
+    if (run.over.event.number == 0 && state.event.number > 0) run.over = state;
+    run.last = state;
+    run.mean_time += elapsed * kPeriod / kEnd;
+    run.longest_time = std::max(run.longest_time, elapsed);
     run.rows.push_back({arm.time(), arm.q(), arm.dq(), arm.tau_ext(),
                         compensate ? ramp.torque() : Torque::Zero().eval(), controller.position_error(arm.kinematics()),
-                        estimate.payload().mass, estimate.empty ? 0 : estimate.posterior.standard_deviation()[0],
-                        estimator.phase()});
+                        state.payload.mean[0], state.payload.standard_deviation()[0], likeliest(state)});
     arm.step(tau);
   }
   return run;
@@ -149,7 +152,7 @@ void write_csv(const std::filesystem::path& path, const Run& run, const RigidBod
   file << "t";
   for (const char* name : {"q", "dq", "tau_ext", "tau_comp"})
     for (int i = 1; i <= 7; ++i) file << ',' << name << i;
-  file << ",error_x,error_y,error_z,m,rx,ry,rz,mass,mass_std,phase\n";
+  file << ",error_x,error_y,error_z,m,rx,ry,rz,mass,mass_std,hypothesis\n";
   const Eigen::IOFormat cells(Eigen::StreamPrecision, Eigen::DontAlignCols, ",", ",");
   for (const Row& row : run.rows) {
     file << row.t;
@@ -157,31 +160,30 @@ void write_csv(const std::filesystem::path& path, const Run& run, const RigidBod
     Eigen::Vector4d truth = Eigen::Vector4d::Zero();
     if (row.t > kAttach - kPeriod / 2) truth << payload.mass, payload.com;
     file << ',' << row.error.format(cells) << ',' << truth.format(cells) << ',' << row.mass << ',' << row.mass_deviation
-         << ',' << rme::to_string(row.phase) << '\n';
+         << ',' << rme::to_string(row.likeliest) << '\n';
   }
   if (!file.flush()) throw ArgumentError("--output: cannot write " + path.string());
 }
 
 void print(const Options& options, const Run& with, const Run& without) {
   const RigidBody& truth = options.payload;
-  const rme::Estimate<double>& estimate = with.estimate;
-  const Eigen::Vector4d mean = estimate.posterior.mean, deviation = estimate.posterior.standard_deviation();
-  std::printf("payload                    truth   estimate   std. dev.\n");
-  std::printf("  mass              kg   %7.3f    %7.3f     %7.3f\n", truth.mass, mean[0], deviation[0]);
-  for (int i = 0; i < 3; ++i) {
-    std::printf("  centre of mass %c  mm   %7.1f    %7.1f     %7.1f\n", "xyz"[i], 1e3 * truth.com[i], 1e3 * mean[i + 1],
-                1e3 * deviation[i + 1]);
-  }
+  std::printf("payload                    truth   believed after %3.0f ms   std. dev.   at the end   std. dev.\n",
+              1e3 * (with.over.time - kAttach));
+  const auto row = [&](const char* name, double scale, int i, double value) {
+    std::printf("  %s   %7.3f          %7.3f     %7.3f      %7.3f     %7.3f\n", name, scale * value,
+                scale * with.over.payload.mean[i], scale * with.over.payload.standard_deviation()[i],
+                scale * with.last.payload.mean[i], scale * with.last.payload.standard_deviation()[i]);
+  };
+  row("mass              kg", 1, 0, truth.mass);
+  row("centre of mass x  mm", 1e3, 1, truth.com[0]);
+  row("centre of mass y  mm", 1e3, 2, truth.com[1]);
+  row("centre of mass z  mm", 1e3, 3, truth.com[2]);
   std::printf("\n");
-  if (!with.early.empty) {
-    std::printf("noticed after        %6.0f ms\n", 1e3 * (with.early.detected_at - kAttach));
-    std::printf("compensated after    %6.0f ms, by an early estimate of %.3f kg\n",
-                1e3 * (with.early.window_end - kAttach), with.early.posterior.mean[0]);
-  }
-  std::printf("settled after        %6.0f ms\n", 1e3 * (estimate.detected_at - kAttach));
-  std::printf("final estimate after %6.0f ms; it took %.0f us (the whole tick, from %.0f samples)\n",
-              1e3 * (estimate.window_end - kAttach), 1e6 * with.estimate_time,
-              (estimate.window_end - estimate.window_begin) / kPeriod);
+  std::printf("noticed after        %6.0f ms, and carried from then on: %.3f kg\n", 1e3 * (with.first.time - kAttach),
+              with.first.payload.mean[0]);
+  std::printf("its coming was over  %6.0f ms after it\n", 1e3 * (with.over.time - kAttach));
+  std::printf("a tick takes         %6.1f us on average, %.0f us at most\n", 1e6 * with.mean_time,
+              1e6 * with.longest_time);
   std::printf("\nposition error             before    at worst   %.0f s after\n", kLater);
   for (const auto& [name, run] :
        {std::pair("with compensation   ", &with), std::pair("without compensation", &without)})
@@ -198,7 +200,7 @@ int run(Arguments& arguments) {
     write_csv(folder / "compensated.csv", with, options.payload);
     write_csv(folder / "uncompensated.csv", without, options.payload);
   }
-  if (with.estimate.empty) {
+  if (with.over.event.number == 0) {
     std::fprintf(stderr, "the payload was not noticed: it changes the external torque by too little\n");
     return 1;
   }

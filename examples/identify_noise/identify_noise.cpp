@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "event_replay/options.hpp"
 #include "identify_noise/sensor_identification.hpp"
 #include "io/program.hpp"
-#include "replay_log/options.hpp"
 
 namespace {
 
@@ -32,7 +32,7 @@ constexpr double kUncorrelated = 0.1;
 
 struct Request {
   std::vector<std::string> logs;
-  rme::EstimatorConfig<double, 7> settings;
+  rme::EventEstimatorConfig<double, 7> settings;
   Sensor preset = Sensor::joint_friction();
   std::optional<std::vector<double>> span;
   std::optional<std::string> output;
@@ -123,7 +123,7 @@ int run(Arguments& arguments) {
   const Request request = parse(arguments);
   const std::vector<Log<7>> logs = read(request);
   const IdentifiedSensor found = identify(logs, request);
-  rme::EstimatorConfig<double, 7> settings = request.settings;
+  rme::EventEstimatorConfig<double, 7> settings = request.settings;
   const double span = std::min(2 * found.model.noise_correlation_time, settings.detector.window / 4);
   Restlessness restlessness;
   for (const Log<7>& log : logs) measure(log, settings, span, restlessness);

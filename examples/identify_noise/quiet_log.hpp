@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <rme/estimator_config.hpp>
+#include <rme/event_estimator_config.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/onset.hpp>
 #include <rme/sensing/sample_window.hpp>
 
-#include "replay_log/replay.hpp"
+#include "event_replay/replay.hpp"
 
 namespace rme::examples {
 
 /// Calls visit(past) after each sample of the log: the observer's lag taken off, the sign rme's.
 template <typename Visit>
-void for_each_sample(const Log<7>& log, const EstimatorConfig<double, 7>& settings, Visit&& visit) {
+void for_each_sample(const Log<7>& log, const EventEstimatorConfig<double, 7>& settings, Visit&& visit) {
   const double dt = nominal_period(log.t);
   const auto dq = log.dq.empty() ? differentiated(log.q, dt) : log.dq;
   const auto tau_ext = log.tau_ext.empty() ? observed(log, dq, dt, settings.window.observer_bandwidth) : log.tau_ext;
@@ -37,7 +37,8 @@ struct Restlessness {
 
 /// Takes one log into account.
 /// @param span  over which the torque is averaged [s], at most a quarter of the detector's window
-inline void measure(const Log<7>& log, const EstimatorConfig<double, 7>& settings, double span, Restlessness& out) {
+inline void measure(const Log<7>& log, const EventEstimatorConfig<double, 7>& settings, double span,
+                    Restlessness& out) {
   const double dt = nominal_period(log.t);
   const auto ticks_of = [dt](double seconds) { return static_cast<std::size_t>(std::lround(seconds / dt)); };
   const std::size_t collection = ticks_of(settings.collection), step = ticks_of(settings.onset_span);
@@ -64,7 +65,7 @@ inline void measure(const Log<7>& log, const EstimatorConfig<double, 7>& setting
 
 /// Raises the thresholds over what happened while nothing happened. A detector that the logs would have set off gets
 /// means over `span` and thresholds to match; otherwise it stays as it is.
-inline void raise_thresholds(const Restlessness& measured, double span, EstimatorConfig<double, 7>& settings) {
+inline void raise_thresholds(const Restlessness& measured, double span, EventEstimatorConfig<double, 7>& settings) {
   constexpr double kMargin = 1.1;
   settings.onset_jump = std::max(settings.onset_jump, kMargin * measured.step);
   settings.unrest = std::max(settings.unrest, kMargin * measured.unrest);

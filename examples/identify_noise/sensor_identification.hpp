@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <rme/core/types.hpp>
-#include <rme/estimator_config.hpp>
+#include <rme/event_estimator_config.hpp>
 #include <rme/inference/fixed_prior.hpp>
 #include <rme/inference/payload_regressor.hpp>
 #include <rme/inference/sensor_model.hpp>
@@ -24,7 +24,7 @@ namespace rme::examples {
 using LogBlocks = std::array<Eigen::Matrix<double, Eigen::Dynamic, 8>, 7>;
 
 /// @param block  length of a block [s], >= one period
-inline LogBlocks blocks_of(const Log<7>& log, const EstimatorConfig<double, 7>& settings, double block) {
+inline LogBlocks blocks_of(const Log<7>& log, const EventEstimatorConfig<double, 7>& settings, double block) {
   const auto ticks = static_cast<double>(std::lround(block / nominal_period(log.t)));
   const auto prior = FixedPrior<double>().gaussian;
   std::vector<Eigen::Matrix<double, 7, 8>> means;

@@ -28,6 +28,7 @@ template class NetworkPrior<double>;
 template PayloadGaussian<double> NetworkPrior<double>::operator()(const SampleWindow<double, 7>&,
                                                                   std::size_t) const noexcept;
 template class Estimator<double, 7>;
+template class EventEstimator<double, 7>;
 template class PassiveController<double>;
 template class JointLimits<double, 7>;
 template class Cpic<double, 7, 8>;

@@ -6,6 +6,7 @@
 #include <rme/control/cpic.hpp>
 #include <rme/control/passive_controller.hpp>
 #include <rme/estimator.hpp>
+#include <rme/event_estimator.hpp>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/mean_field.hpp>
 #include <rme/network/mismatch_network.hpp>
@@ -40,6 +41,7 @@ extern template class NetworkPrior<double>;
 extern template PayloadGaussian<double> NetworkPrior<double>::operator()(const SampleWindow<double, 7>&,
                                                                          std::size_t) const noexcept;
 extern template class Estimator<double, 7>;
+extern template class EventEstimator<double, 7>;
 extern template class PassiveController<double>;
 extern template class JointLimits<double, 7>;
 extern template class Cpic<double, 7, 8>;

@@ -15,78 +15,98 @@ double nominal_period(const std::vector<double>& t) {
   return *middle;
 }
 
-std::vector<JointVector<double, 7>> differentiated(const std::vector<JointVector<double, 7>>& q, double dt) {
-  std::vector<JointVector<double, 7>> dq(q.size(), JointVector<double, 7>::Zero());
-  for (std::size_t i = 1; i < q.size(); ++i) dq[i] = (q[i] - q[i - 1]) / dt;
-  return dq;
-}
-
-std::vector<JointVector<double, 7>> observed(const Log<7>& log, const std::vector<JointVector<double, 7>>& dq,
-                                             double dt, double bandwidth) {
-  MomentumObserverConfig<double, 7> config;
-  config.gain.setConstant(bandwidth);
-  MomentumObserver<double, 7> observer(dt, config);
-  std::vector<JointVector<double, 7>> tau_ext;
-  for (std::size_t i = 0; i < log.size(); ++i) {
-    const auto arm = panda().dynamics(log.q[i], dq[i]);
-    (void)observer.update(log.tau[i] - panda_friction(dq[i]), dq[i], arm.mass_matrix, arm.coriolis_transpose,
-                          arm.gravity);  // the reader has refused what is not finite
-    tau_ext.push_back(observer.tau_ext());
-  }
-  return tau_ext;
-}
-
-ReplaySummary replay(const Log<7>& log, const ReplayOptions& options, const AnyPrior& prior,
-                     const std::function<void(const ReplayedEstimate&)>& on_estimate,
-                     const std::function<void(const ReplayedRejection&)>& on_rejection) {
+std::vector<Proprioception<double, 7>> samples_of(const Log<7>& log, double bandwidth) {
   const double dt = nominal_period(log.t);
-  const auto dq = log.dq.empty() ? differentiated(log.q, dt) : log.dq;
-  const double bandwidth = options.estimator.window.observer_bandwidth;
-  const auto tau_ext = log.tau_ext.empty() ? observed(log, dq, dt, bandwidth) : log.tau_ext;
-
-  Estimator<double, 7, AnyPrior> estimator(dt, options.estimator, prior);
-  std::vector<std::size_t> rows;  // of the ticks that the estimator has taken
-  ReplaySummary summary;
-  bool triggered = false, tared = false;
+  MomentumObserverConfig<double, 7> config;
+  if (bandwidth > 0) config.gain.setConstant(std::min(bandwidth, 1 / dt));
+  MomentumObserver<double, 7> observer(dt, config);
+  std::vector<Proprioception<double, 7>> samples;
+  samples.reserve(log.size());
   for (std::size_t i = 0; i < log.size(); ++i) {
-    ++summary.samples;
-    if (options.baseline && !tared && log.t[i] >= options.baseline->second) {
-      estimator.tare(options.baseline->second - options.baseline->first);
-      tared = true;
+    const auto pose = panda().kinematics(log.q[i]);
+    Proprioception<double, 7> sample;
+    sample.jacobian = pose.jacobian;
+    sample.rotation = pose.rotation;
+    if (i > 0) sample.period = log.t[i] - log.t[i - 1];
+    if (!log.dq.empty())
+      sample.dq = log.dq[i];
+    else if (i > 0)
+      sample.dq = (log.q[i] - log.q[i - 1]) / sample.period;
+    if (!log.tau_ext.empty()) {
+      sample.tau_ext = log.tau_ext[i];
+    } else {
+      const auto arm = panda().dynamics(log.q[i], sample.dq);
+      (void)observer.update(log.tau[i] - panda_friction(sample.dq), sample.dq, arm.mass_matrix, arm.coriolis_transpose,
+                            arm.gravity);  // the reader has refused what is not finite
+      sample.tau_ext = observer.tau_ext();
     }
-    if (options.at && !triggered && log.t[i] >= *options.at) {
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+ReplaySummary replay(const Log<7>& log, const ReplayOptions& options,
+                     const std::function<void(const ReplayedEstimate&)>& on_estimate,
+                     const std::function<void(const ReplayedPush&)>& on_push) {
+  constexpr double kAfter = 0.5, kSeldom = 0.1;  // [s]
+  const double dt = nominal_period(log.t);
+  const auto samples = samples_of(log, options.estimator.observer_bandwidth);
+  Estimator<double, 7> estimator(dt, options.estimator);
+  ReplaySummary summary;
+  const double start = log.t.front() - dt;  // at which the estimator's time is zero
+  double updated = 0, printed = start, changed = start - 1;
+  int events = 0;
+  bool triggered = false, declared = false;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    const double t = log.t[i];
+    ++summary.samples;
+    if (options.empty_at && !declared && t >= *options.empty_at) {
+      estimator.declare_empty();
+      declared = true;
+    }
+    if (options.at && !triggered && t >= *options.at) {
       estimator.trigger();
       triggered = true;
     }
-    const auto pose = panda().kinematics(log.q[i]);
-    const Proprioception<double, 7> sample{tau_ext[i], pose.jacobian, pose.rotation, dq[i]};
-    const auto start = std::chrono::steady_clock::now();
-    const Status status = estimator.update(sample);
-    const std::chrono::duration<double, std::micro> elapsed = std::chrono::steady_clock::now() - start;
-    if (status != Status::Ok) continue;
-    rows.push_back(i);
-    if (options.at && !triggered) continue;
-    const auto row = [&](double time) { return rows[static_cast<std::size_t>(std::lround(time / dt))]; };
-    if (estimator.rejected()) {
-      ++summary.rejected;
-      on_rejection({log.t[i], log.t[row(estimator.detected_at() - dt)], estimator.verdict()});
-    }
-    if (!estimator.estimated() && !estimator.refreshed()) continue;
-    const auto& estimate = estimator.estimate();
+    const auto before = std::chrono::steady_clock::now();
+    const Status status = estimator.update(samples[i]);
+    const std::chrono::duration<double, std::micro> elapsed = std::chrono::steady_clock::now() - before;
+    const EstimatorState<double>& state = estimator.state();
+    if (status != Status::Ok || !(state.updated > updated)) continue;
+    updated = state.updated;
     ReplayedEstimate out;
     out.event = summary.estimates;
-    out.final = estimate.final;
-    if (estimate.final) ++summary.estimates;
-    out.t = log.t[i];
-    if (!options.at) out.detected_at = log.t[row(estimate.detected_at - dt)];
-    out.window_begin = log.t[row(estimate.window_begin)];
-    out.window_end = log.t[i];
-    out.posterior = estimate.posterior;
-    out.verdict = estimator.verdict();
+    out.t = out.window_end = t;
+    out.state = state;
     out.elapsed_us = elapsed.count();
     if (!log.truth.empty()) out.truth = &log.truth[i];
+    if (options.at) {
+      if (!triggered) continue;
+      out.final = t + 0.5 * dt >= *options.at + options.window;
+      out.window_begin = *options.at;
+      summary.estimates += out.final ? 1 : 0;
+      on_estimate(out);
+      if (out.final) break;
+      continue;
+    }
+    const bool over = state.event.number > events;
+    events = state.event.number;
+    if (state.changing || over) changed = t;
+    if (over && state.event.kind == EventKind::Pushed) {
+      ++summary.rejected;
+      on_push({t, start + state.event.noticed, state});
+    }
+    out.final = over && state.event.kind != EventKind::Pushed;
+    if (!out.final && t - changed > kAfter && t - printed < kSeldom - 0.5 * dt) continue;
+    printed = t;
+    out.detected_at = start + (state.changing ? state.change_noticed : state.event.noticed);
+    out.window_begin = start + (state.changing ? state.change_onset : state.event.onset);
+    if (!state.changing && state.event.number == 0) {
+      out.detected_at.reset();
+      out.window_begin = log.t.front();
+    }
+    summary.estimates += out.final ? 1 : 0;
     on_estimate(out);
-    if (options.at && estimate.final) break;
   }
   return summary;
 }

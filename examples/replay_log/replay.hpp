@@ -3,11 +3,9 @@
 #include <functional>
 #include <optional>
 #include <rme/estimator.hpp>
-#include <utility>
 #include <vector>
 
 #include "io/log_reader.hpp"
-#include "run_network/network_file.hpp"
 #include "synthetic_arm/panda.hpp"
 
 namespace rme::examples {
@@ -15,28 +13,28 @@ namespace rme::examples {
 /// What to do with a log.
 struct ReplayOptions {
   EstimatorConfig<double, 7> estimator;
-  std::optional<double> at;  ///< [s]: the estimate is made from [at, at + collection), no detector
-  std::optional<std::pair<double, double>> baseline;  ///< [s, s]: when the hand is known to be empty
+  std::optional<double> at;        ///< [s]: the host says that the payload changes; the replay ends `window` later
+  double window = 0.2;             ///< [s]
+  std::optional<double> empty_at;  ///< [s]: the host says that the hand is empty
 };
 
-/// One estimate, in the log's own time.
+/// What is believed at one instant, in the log's own time.
 struct ReplayedEstimate {
-  int event = 0;
-  bool final = true;  ///< else early: the change was still going on
+  int event = 0;      ///< events that were over before, pushes left out
+  bool final = true;  ///< the first of an event that is over; else a belief on the way
   double t = 0;       ///< when a live host would have had it [s]
   std::optional<double> detected_at;
-  double window_begin = 0, window_end = 0;
-  PayloadGaussian<double> posterior;
-  Verdict<double> verdict;
+  double window_begin = 0, window_end = 0;  ///< from the event's onset to the newest sample [s]
+  EstimatorState<double> state;
   double elapsed_us = 0;                   ///< of the tick that made it
   const Vector4<double>* truth = nullptr;  ///< at t, in the log; null if it has none
 };
 
 /// A change that was found to be no payload.
-struct ReplayedRejection {
+struct ReplayedPush {
   double t = 0;  ///< when a live host would have known [s]
   double detected_at = 0;
-  Verdict<double> verdict;
+  EstimatorState<double> state;
 };
 
 struct ReplaySummary {
@@ -48,19 +46,14 @@ struct ReplaySummary {
 /// Median time step [s]: the rate of a log whose stamps jitter. Needs two samples.
 double nominal_period(const std::vector<double>& t);
 
-/// Joint velocities by backward differences, for a log without them.
-std::vector<JointVector<double, 7>> differentiated(const std::vector<JointVector<double, 7>>& q, double dt);
+/// The log as a host would have fed it, external torque by a momentum observer where the log has only the measured one.
+/// @param bandwidth  of that observer [rad/s]
+std::vector<Proprioception<double, 7>> samples_of(const Log<7>& log, double bandwidth);
 
-/// External torque of a log that holds the measured one: the Panda's friction taken off, then a momentum observer.
-std::vector<JointVector<double, 7>> observed(const Log<7>& log, const std::vector<JointVector<double, 7>>& dq,
-                                             double dt, double bandwidth);
-
-/// Plays the log.
-/// @param prior         where the estimator's priors come from
-/// @param on_estimate   called with each estimate, early ones included
-/// @param on_rejection  called with each change that was no payload
-ReplaySummary replay(const Log<7>& log, const ReplayOptions& options, const AnyPrior& prior,
+/// Plays the log. A belief is handed on for each block while something changes and half a second after that, and ten
+/// times a second otherwise.
+ReplaySummary replay(const Log<7>& log, const ReplayOptions& options,
                      const std::function<void(const ReplayedEstimate&)>& on_estimate,
-                     const std::function<void(const ReplayedRejection&)>& on_rejection);
+                     const std::function<void(const ReplayedPush&)>& on_push);
 
 }  // namespace rme::examples

@@ -1,5 +1,5 @@
 #pragma once
-/// A passive impedance law that holds a pose: what the host's own controller may look like.
+/// A passive impedance law that holds a pose, or follows one: what the host's own controller may look like.
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <synthetic_arm/arm_model.hpp>
@@ -18,7 +18,15 @@ struct PoseImpedanceConfig {
   double posture_damping = 1;      ///< D_n, half of it for the last three joints [N m s/rad]
 };
 
-/// tau = J^T [ -D(x) (xdot - f(x)) ; K_r e - D_r omega ] + N (K_n (q* - q) - D_n dq) + C dq + g
+/// Where the flange is to be, and how it is to move there, world axes.
+struct PoseTarget {
+  Eigen::Vector3d position;                                    ///< [m]
+  Eigen::Matrix3d rotation;                                    ///< flange axes to world axes
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< [m/s]
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< [rad/s]
+};
+
+/// tau = J^T [ -D(x) (xdot - xdot* - f(x)) ; K_r e - D_r (omega - omega*) ] + N (K_n (q* - q) - D_n dq) + C dq + g
 ///
 /// D has the eigenvalue lambda1 along f(x) and lambda2 across it; e is the angle axis of R* R^T in world axes;
 /// N = 1 - J^T (J M^-1 J^T)^-1 J M^-1 lets the posture torque accelerate the elbow but not the flange. C dq and g are
@@ -30,9 +38,12 @@ class PoseImpedance {
 
   /// Holds the pose and the posture of `q`.
   PoseImpedance(const ArmModel<Dofs>& model, const Vector& q, const PoseImpedanceConfig& config = {})
-      : config_(config), target_(model.kinematics(q)), posture_(q) {
+      : config_(config), target_(at(model.kinematics(q))), posture_(q) {
     joint_weight_.template tail<3>().setConstant(0.5);
   }
+
+  /// Another pose from now on, or the next point of a path. The posture stays.
+  void follow(const PoseTarget& target) noexcept { target_ = target; }
 
   /// Joint torque for this tick [N m].
   /// @param at       flange pose and Jacobian at q
@@ -44,8 +55,10 @@ class PoseImpedance {
   Eigen::Vector3d position_error(const Kinematics<Dofs>& at) const noexcept { return at.position - target_.position; }
 
  private:
+  static PoseTarget at(const Kinematics<Dofs>& pose) { return {pose.position, pose.rotation}; }
+
   PoseImpedanceConfig config_;
-  Kinematics<Dofs> target_;
+  PoseTarget target_;
   Vector posture_;
   Vector joint_weight_ = Vector::Ones();
 };
@@ -54,14 +67,14 @@ template <int Dofs>
 auto PoseImpedance<Dofs>::torque(const Vector& q, const Vector& dq, const Kinematics<Dofs>& at,
                                  const Dynamics<Dofs>& nominal) const noexcept -> Vector {
   const Vector6<double> twist = at.jacobian * dq;
-  const Eigen::Vector3d f = -config_.rate * position_error(at), slip = twist.head<3>() - f;
+  const Eigen::Vector3d f = -config_.rate * position_error(at), slip = twist.head<3>() - target_.velocity - f;
   const Eigen::Vector3d e1 = f.stableNormalized();
   const double fade = f.norm() / (f.norm() + config_.direction_speed);
   Vector6<double> wrench;
   wrench.head<3>() = -config_.lambda2 * slip - fade * (config_.lambda1 - config_.lambda2) * e1.dot(slip) * e1;
   const Eigen::AngleAxisd turn(target_.rotation * at.rotation.transpose());
-  wrench.tail<3>() =
-      config_.rotation_stiffness * turn.angle() * turn.axis() - config_.rotation_damping * twist.tail<3>();
+  wrench.tail<3>() = config_.rotation_stiffness * turn.angle() * turn.axis() -
+                     config_.rotation_damping * (twist.tail<3>() - target_.angular_velocity);
 
   const Vector posture =
       joint_weight_.cwiseProduct(config_.posture_stiffness * (posture_ - q) - config_.posture_damping * dq);

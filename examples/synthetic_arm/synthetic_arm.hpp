@@ -30,7 +30,14 @@ struct SyntheticArmConfig {
   Vector torque_noise = Vector::Zero();   ///< standard deviation of the sensors' white noise [N m]
   Vector torque_offset = Vector::Zero();  ///< what the sensors report too much [N m]; shows in tau_ext with minus sign
   Vector observer_gain = Vector::Constant(50);  ///< of the momentum observer [rad/s]
-  std::uint64_t seed = 1;                       ///< of the noise
+  double mass_error = 0;  ///< links weigh something else than the model says: standard deviation, a share of the mass
+  double com_error = 0;   ///< and their centres of mass lie elsewhere: standard deviation of each coordinate [m]
+  Vector dq_noise = Vector::Zero();  ///< standard deviation of the white noise on the reported velocity [rad/s]
+  bool noisy_observer = false;       ///< the observer is fed that velocity too, rather than the true one
+  double torque_step = 0;            ///< tau_ext is reported in whole multiples of this; 0 for as it is [N m]
+  int torque_delay = 0;              ///< how much later than it is known tau_ext is reported [control periods]
+  double loss = 0;                   ///< probability that a period's report never arrives
+  std::uint64_t seed = 1;            ///< of the noise, the losses and the model's errors
 };
 
 /// Faults drawn at random around what the arm's table calls typical: offsets, noise, friction within half of typical.
@@ -50,7 +57,27 @@ SyntheticArmConfig<Dofs> with_typical_faults(const ArmModel<Dofs>& model, std::u
   return config;
 }
 
-/// The arm. Everything that it reports belongs to the instant time(); step() goes to the next control period.
+/// The arm as it is rather than as its model says: masses and centres of mass off by chance, inertias in proportion.
+/// @param mass_error  standard deviation of each link's mass, as a share of it
+/// @param com_error   standard deviation of each coordinate of each link's centre of mass [m]
+/// @throws std::invalid_argument for a negative one
+template <int Dofs>
+ArmModel<Dofs> with_model_error(ArmModel<Dofs> model, double mass_error, double com_error, std::uint64_t seed) {
+  rme::detail::require(mass_error >= 0, "SyntheticArmConfig::mass_error", ">= 0", mass_error);
+  rme::detail::require(com_error >= 0, "SyntheticArmConfig::com_error", ">= 0 m", com_error);
+  std::mt19937_64 random(seed ^ 0xd1b54a32d192ed03u);  // another stream than the noise
+  std::normal_distribution<double> normal;
+  for (Link& l : model.links) {
+    const double factor = std::max(0.0, 1 + mass_error * normal(random));
+    for (double& c : l.body.com) c += com_error * normal(random);
+    l.body.mass *= factor;
+    l.body.inertia *= factor;
+  }
+  return model;
+}
+
+/// The arm. Everything that it reports belongs to the instant time(), but for a tau_ext that comes late; step() goes to
+/// the next control period.
 template <int Dofs>
 class SyntheticArm {
  public:
@@ -66,12 +93,14 @@ class SyntheticArm {
 
   double time() const { return static_cast<double>(ticks_) * config_.dt; }  ///< [s]
   const Vector& q() const { return state_.q; }                              ///< [rad]
-  const Vector& dq() const { return state_.dq; }                            ///< [rad/s]
-  const Vector& tau_ext() const { return observer_.tau_ext(); }             ///< the momentum observer's output [N m]
+  const Vector& dq() const { return dq_; }                                  ///< [rad/s]
+  const Vector& tau_ext() const { return tau_ext_; }                        ///< the momentum observer's output [N m]
   const Vector& tau_measured() const { return tau_measured_; }  ///< torque sensors over the last period [N m]
   const Kinematics<Dofs>& kinematics() const { return kinematics_; }
-  const Dynamics<Dofs>& dynamics() const { return dynamics_; }  ///< nominal: without the payload
-  const ArmModel<Dofs>& model() const { return model_; }
+  const Dynamics<Dofs>& dynamics() const { return dynamics_; }  ///< nominal: without the payload, at the observer's dq
+  const ArmModel<Dofs>& model() const { return model_; }        ///< nominal: without its errors
+  /// Whether this period's report never arrives: a host makes do without q, dq and tau_ext, a log has no such row.
+  bool lost() const { return lost_; }
 
   /// Welds a payload to the flange, beside those already there. The arm's velocity stays as it is.
   /// @param body   flange axes
@@ -99,6 +128,7 @@ class SyntheticArm {
 
   RigidBody payload_at(double t) const;
   void observe();
+  void report();
 
   ArmModel<Dofs> model_;
   SyntheticArmConfig<Dofs> config_;
@@ -109,6 +139,12 @@ class SyntheticArm {
   long ticks_ = 0;
   JointState<Dofs> state_;
   Vector tau_measured_ = Vector::Zero();
+  // What is wrong with the reports comes from a stream of its own: it leaves the sensors' noise as it is.
+  std::mt19937_64 report_random_;
+  std::normal_distribution<double> report_normal_;
+  Vector dq_, tau_ext_ = Vector::Zero();
+  std::vector<Vector> late_;  // tau_ext of the last periods, a ring
+  bool lost_ = false;
   std::vector<Attached> attached_;
   int handles_ = 0;
   Wrench<double> push_;
@@ -122,14 +158,22 @@ SyntheticArm<Dofs>::SyntheticArm(const ArmModel<Dofs>& model, const SyntheticArm
     : model_(model),
       config_(config),
       observer_(config.dt, {config.observer_gain}),
-      physics_(config.physics(model, config.friction)),
+      physics_(
+          config.physics(with_model_error(model, config.mass_error, config.com_error, config.seed), config.friction)),
       random_(config.seed),
-      state_{q, dq} {
+      state_{q, dq},
+      report_random_(config.seed ^ 0xbf58476d1ce4e5b9u) {
   rme::detail::require(config.substeps > 0, "SyntheticArmConfig::substeps", ">= 1", config.substeps);
   for (int i = 0; i < Dofs; ++i) {
     rme::detail::require(config.torque_noise[i] >= 0, "SyntheticArmConfig::torque_noise", ">= 0 N m",
                          config.torque_noise[i]);
+    rme::detail::require(config.dq_noise[i] >= 0, "SyntheticArmConfig::dq_noise", ">= 0 rad/s", config.dq_noise[i]);
   }
+  rme::detail::require(config.torque_step >= 0, "SyntheticArmConfig::torque_step", ">= 0 N m", config.torque_step);
+  rme::detail::require(config.torque_delay >= 0, "SyntheticArmConfig::torque_delay", ">= 0", config.torque_delay);
+  rme::detail::require(config.loss >= 0 && config.loss < 1, "SyntheticArmConfig::loss", "from 0 to below 1",
+                       config.loss);
+  late_.assign(static_cast<std::size_t>(config.torque_delay), Vector::Zero());
   observe();
 }
 
@@ -172,10 +216,25 @@ RigidBody SyntheticArm<Dofs>::payload_at(double t) const {
 
 template <int Dofs>
 void SyntheticArm<Dofs>::observe() {
-  const auto& [q, dq] = state_;
+  const Vector& q = state_.q;
+  dq_ = state_.dq;
+  if ((config_.dq_noise.array() > 0).any())
+    for (int i = 0; i < Dofs; ++i) dq_[i] += config_.dq_noise[i] * report_normal_(report_random_);
+  const Vector& dq = config_.noisy_observer ? dq_ : state_.dq;
   kinematics_ = model_.kinematics(q);
   dynamics_ = model_.dynamics(q, dq);
   (void)observer_.update(tau_measured_, dq, dynamics_.mass_matrix, dynamics_.coriolis_transpose, dynamics_.gravity);
+  report();
+}
+
+// What of the observer's output reaches the host, and whether anything does.
+template <int Dofs>
+void SyntheticArm<Dofs>::report() {
+  tau_ext_ = observer_.tau_ext();
+  if (!late_.empty()) std::swap(tau_ext_, late_[static_cast<std::size_t>(ticks_) % late_.size()]);
+  const double step = config_.torque_step;
+  if (step > 0) tau_ext_ = (tau_ext_ / step).array().round() * step;
+  lost_ = config_.loss > 0 && std::bernoulli_distribution(config_.loss)(report_random_);
 }
 
 extern template class SyntheticArm<6>;

@@ -1,55 +1,39 @@
 #pragma once
-/// Settings of the estimator.
-#include <algorithm>
+/// Settings of the estimator: what it cannot find out by itself.
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/types.hpp>
-#include <rme/inference/event_evidence.hpp>
-#include <rme/inference/sensor_model.hpp>
-#include <rme/inference/variational_inference.hpp>
-#include <rme/sensing/mismatch_detector.hpp>
-#include <rme/sensing/sample_window.hpp>
-#include <vector>
+#include <rme/sensing/torque_sign.hpp>
+#include <rme/tracking/arm_prior.hpp>
 
 namespace rme {
 
-/// Which torque the arm reports as external.
-enum class TorqueSign : std::int8_t {
-  External = 1,   ///< what the environment exerts on the arm (the convention of rme)
-  Reaction = -1,  ///< what the arm exerts on the environment
+/// What is known of an arm's torque sensing before it moves.
+enum class SensingPrior : std::uint8_t {
+  Unknown,        ///< the arm is to show it
+  LinkSide,       ///< behind the gears: no friction in tau_ext
+  JointFriction,  ///< friction shows in tau_ext
 };
 
-/// Settings of Estimator; the defaults suit a seven-joint arm of the Panda's size at any rate. docs/tuning.md
+/// Settings of Estimator; the defaults suit a Panda. docs/tuning.md says how to know each.
 template <typename Scalar, int Dofs>
 struct EstimatorConfig {
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
-  TorqueSign torque_sign = TorqueSign::External;
-  MismatchDetectorConfig detector;
-  /// Watch the norm of tau_ext, as published, in place of every joint's torque less the known payload's.
-  bool watch_norm = false;
-  SampleWindowConfig window;
-  /// What the arm's torque sensing is like; several are averaged by their evidence, event by event. At least one.
-  std::vector<SensorModel<Scalar, Dofs>> sensors = {SensorModel<Scalar, Dofs>::link_side(),
-                                                    SensorModel<Scalar, Dofs>::joint_friction()};
-  double collection = 0.2;       ///< how long samples are gathered after the detection [s], > 0
-  double baseline = 0.3;         ///< length of the quiet window before the change [s], >= 0; 0 uses none
-  double baseline_guard = 0.02;  ///< between the quiet window and the change [s], >= 0
-  double onset_span = 0.01;      ///< of the means whose difference finds the instant of the change [s], > 0
-  double onset_jump = 0.4;       ///< a smaller step is no onset [N m], > 0
-  double onset_guard = 0.02;     ///< after the change: samples left out, for the instant is not known exactly [s], >= 0
-  double unrest = 0.8;           ///< a collection in which the torque changes by more starts again [N m], > 0
-  double odds = 0;               ///< log odds that the payload changed, against push or nothing, that it takes [nats]
-  double refresh = 0.01;         ///< between early estimates, made while the change settles [s]; 0 makes none
-  double early_window = 0.03;    ///< samples since the change that an early estimate needs [s], > 0
-  double gentle_window = 0.1;    ///< newest samples that are used while the weight is still coming [s], > 0
-  double early_odds = 3;         ///< log odds of payload against push that an early estimate needs [nats]
-  double early_excess = 4;       ///< excess of noise above which no early estimate is believed, > 0
-  double gyration_radius = 0.03;  ///< of a payload about its own centre of mass, roughly [m], >= 0
-  bool learn_noise = true;  ///< of a window noisier than the likeliest sensor model says, as of an arm in fast motion
-  PushPrior push;           ///< what a change may be that is no payload
-  VariationalInferenceConfig inference;
+  TorqueSign torque_sign = TorqueSign::External;         ///< of tau_ext
+  /// The heaviest payload that the arm is made for [kg], > 0: no mass beyond it is believed, and what friction, offsets
+  /// and pushes may be is scaled by it.
+  Scalar rated_payload = Scalar(3);
+  /// Bandwidth of the first-order filter that tau_ext has gone through [rad/s]: the gain K of the arm's momentum
+  /// observer; 0 if the torque is unfiltered.
+  double observer_bandwidth = 50;
+  SensingPrior sensing = SensingPrior::Unknown;
+  /// Sizes of the joints' noise, offset and friction, where they are known better than ArmPrior::of(rated_payload).
+  std::optional<ArmPrior<Scalar, Dofs>> arm = std::nullopt;
+  /// What is likely to be picked up, where that is known better than PayloadPrior::of(rated_payload).
+  std::optional<PayloadPrior<Scalar>> payload = std::nullopt;
 
   /// @throws std::invalid_argument naming the field out of range
   void validate(double dt) const;
@@ -58,34 +42,33 @@ struct EstimatorConfig {
 template <typename Scalar, int Dofs>
 void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
   detail::require_positive(dt, "Estimator::dt", "> 0 s");
-  detail::require(torque_sign == TorqueSign::External || torque_sign == TorqueSign::Reaction,
-                  "EstimatorConfig::torque_sign", "1 or -1", static_cast<int>(torque_sign));
+  detail::require(dt <= 0.02, "Estimator::dt", "at most 0.02 s", dt);
   detail::require(plausible(gravity) && gravity.norm() > 0, "EstimatorConfig::gravity", "finite and not zero",
                   gravity.norm());
-  detail::require(detector.window >= 2 * dt, "MismatchDetectorConfig::window", ">= 2 samples [s]", detector.window);
-  detail::require(collection >= 2 * dt, "EstimatorConfig::collection", ">= 2 samples [s]", collection);
-  detail::require(baseline >= 0, "EstimatorConfig::baseline", ">= 0 s", baseline);
-  detail::require(baseline_guard >= 0, "EstimatorConfig::baseline_guard", ">= 0 s", baseline_guard);
-  const double needed = detector.window + std::max(collection, baseline + baseline_guard) + 2 * dt;
-  detail::require(window.duration >= needed, "SampleWindowConfig::duration",
-                  "at least the detector's window + the longer of collection and baseline", window.duration);
-  detail::require(onset_span >= dt && onset_span <= detector.window, "EstimatorConfig::onset_span",
-                  "1 sample to the detector's window [s]", onset_span);
-  detail::require(onset_jump > 0, "EstimatorConfig::onset_jump", "> 0 N m", onset_jump);
-  detail::require(onset_guard >= 0 && onset_guard <= detector.window, "EstimatorConfig::onset_guard",
-                  "0 s to the detector's window", onset_guard);
-  detail::require(refresh == 0 || (refresh >= dt && refresh <= window.duration), "EstimatorConfig::refresh",
-                  "0 or 1 sample to the sample window [s]", refresh);
-  detail::require(early_window >= 2 * dt && early_window <= window.duration, "EstimatorConfig::early_window",
-                  "2 samples to the sample window [s]", early_window);
-  detail::require(gentle_window >= 2 * dt && gentle_window <= detector.window, "EstimatorConfig::gentle_window",
-                  "2 samples to the detector's window [s]", gentle_window);
-  detail::require(std::isfinite(odds), "EstimatorConfig::odds", "finite", odds);
-  detail::require(std::isfinite(early_odds), "EstimatorConfig::early_odds", "finite", early_odds);
-  detail::require(early_excess > 0, "EstimatorConfig::early_excess", "> 0", early_excess);
-  detail::require(unrest > 0, "EstimatorConfig::unrest", "> 0 N m", unrest);
-  detail::require(gyration_radius >= 0 && gyration_radius <= 10, "EstimatorConfig::gyration_radius", "0 to 10 m",
-                  gyration_radius);
+  detail::require(torque_sign == TorqueSign::External || torque_sign == TorqueSign::Reaction,
+                  "EstimatorConfig::torque_sign", "1 or -1", static_cast<int>(torque_sign));
+  detail::require(rated_payload > 0 && rated_payload <= Scalar(1e4), "EstimatorConfig::rated_payload",
+                  "above 0 and at most 10,000 kg", rated_payload);
+  detail::require(observer_bandwidth == 0 || (observer_bandwidth >= 1 && observer_bandwidth <= 1e5),
+                  "EstimatorConfig::observer_bandwidth", "0 or 1 to 100,000 rad/s", observer_bandwidth);
+  const auto positive = [](const auto& v, const char* field, const char* expected) {
+    for (int i = 0; i < v.size(); ++i)
+      detail::require(v[i] > 0 && v[i] <= Scalar(kLargestPlausible), field, expected, v[i]);
+  };
+  if (arm) {
+    positive(arm->noise, "ArmPrior::noise", "> 0 N m");
+    positive(arm->offset, "ArmPrior::offset", "> 0 N m");
+    positive(arm->residual, "ArmPrior::residual", "> 0");
+    positive(arm->coulomb, "ArmPrior::coulomb", "> 0 N m");
+    positive(arm->viscous, "ArmPrior::viscous", "> 0 N m s/rad");
+  }
+  if (payload) {
+    detail::require(payload->mass_mean >= 0 && payload->mass_mean <= rated_payload, "PayloadPrior::mass_mean",
+                    "0 to rated_payload [kg]", payload->mass_mean);
+    detail::require_positive(payload->mass_std, "PayloadPrior::mass_std", "> 0 kg");
+    detail::require(plausible(payload->com_mean), "PayloadPrior::com_mean", "finite [m]", payload->com_mean.norm());
+    positive(payload->com_std, "PayloadPrior::com_std", "> 0 m");
+  }
 }
 
 }  // namespace rme

@@ -1,27 +1,28 @@
 #pragma once
-/// An EstimatorConfig's JSON form: an object with the fields of the structs under their own names. Link rme::json.
-#include <array>
+/// An EstimatorConfig's JSON form: an object with the fields of the struct under their own names. Link rme::json.
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <rme/core/describe_json.hpp>
 #include <rme/core/require.hpp>
-#include <rme/estimator.hpp>
-#include <set>
+#include <rme/estimator_config.hpp>
 #include <string>
 #include <vector>
 
 namespace rme {
 
-/// The settings that a JSON object describes. A field that is not there keeps its default; per-joint fields are arrays
-/// of Dofs numbers; each of "sensors" is "link_side", "joint_friction" or an object of which every field is needed.
+/// The settings that a JSON object describes. A field that is not there keeps its default; of "arm" and "payload",
+/// every field is needed.
 ///
-///     {"collection": 0.2, "window": {"observer_bandwidth": 30}, "sensors": ["link_side"]}
+///     {"rated_payload": 12.5, "observer_bandwidth": 0, "torque_sign": "reaction", "sensing": "joint_friction",
+///      "gravity": [0, 0, -9.81],
+///      "arm": {"noise": [..], "offset": [..], "residual": [..], "coulomb": [..], "viscous": [..]},
+///      "payload": {"mass_mean": 1, "mass_std": 1, "com_mean": [0, 0, 0.1], "com_std": [0.06, 0.06, 0.07]}}
 ///
-/// @throws std::invalid_argument naming a field that is unknown or of the wrong type or size, with what was expected
-/// and
-///         what came. Ranges are checked by the Estimator, which knows the period.
+/// @throws std::invalid_argument naming a field that is unknown, missing or of the wrong type or size, with what was
+/// expected and what came. Ranges are checked by the Estimator.
 template <typename Scalar, int Dofs>
 EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& object);
 
@@ -31,200 +32,130 @@ nlohmann::json estimator_config_to_json(const EstimatorConfig<Scalar, Dofs>& con
 
 namespace detail {
 
-// The fields of each struct, once for reading and writing alike.
-template <typename Config, typename Visit>
-void visit_fields(Config& c, Visit&& visit, const MismatchDetectorConfig*) {
-  visit("window", c.window);
-  visit("activation_threshold", c.activation_threshold);
-  visit("stabilisation_threshold", c.stabilisation_threshold);
-  visit("stabilisation_ratio", c.stabilisation_ratio);
-  visit("newest_average", c.newest_average);
-  visit("check_average", c.check_average);
-  visit("check_age", c.check_age);
-  visit("edge_average", c.edge_average);
-}
-template <typename Config, typename Visit>
-void visit_fields(Config& c, Visit&& visit, const SampleWindowConfig*) {
-  visit("duration", c.duration);
-  visit("observer_bandwidth", c.observer_bandwidth);
-  visit("rest_velocity", c.rest_velocity);
-}
-template <typename Config, typename Visit, typename Scalar, int Dofs>
-void visit_fields(Config& c, Visit&& visit, const SensorModel<Scalar, Dofs>*) {
-  visit("noise", c.noise);
-  visit("noise_correlation_time", c.noise_correlation_time);
-  visit("offset", c.offset);
-  visit("stiction", c.stiction);
-  visit("coulomb_mean", c.coulomb_mean);
-  visit("coulomb_std", c.coulomb_std);
-  visit("viscous_mean", c.viscous_mean);
-  visit("viscous_std", c.viscous_std);
-}
-template <typename Config, typename Visit>
-void visit_fields(Config& c, Visit&& visit, const PushPrior*) {
-  visit("force", c.force);
-  visit("moment", c.moment);
-}
-template <typename Config, typename Visit>
-void visit_fields(Config& c, Visit&& visit, const VariationalInferenceConfig*) {
-  visit("max_iterations", c.max_iterations);
-  visit("tolerance", c.tolerance);
-}
-template <typename Config, typename Visit, typename Scalar, int Dofs>
-void visit_fields(Config& c, Visit&& visit, const EstimatorConfig<Scalar, Dofs>*) {
-  visit("gravity", c.gravity);
-  visit("torque_sign", c.torque_sign);
-  visit("detector", c.detector);
-  visit("watch_norm", c.watch_norm);
-  visit("window", c.window);
-  visit("sensors", c.sensors);
-  visit("collection", c.collection);
-  visit("baseline", c.baseline);
-  visit("baseline_guard", c.baseline_guard);
-  visit("onset_span", c.onset_span);
-  visit("onset_jump", c.onset_jump);
-  visit("onset_guard", c.onset_guard);
-  visit("unrest", c.unrest);
-  visit("odds", c.odds);
-  visit("refresh", c.refresh);
-  visit("early_window", c.early_window);
-  visit("gentle_window", c.gentle_window);
-  visit("early_odds", c.early_odds);
-  visit("early_excess", c.early_excess);
-  visit("gyration_radius", c.gyration_radius);
-  visit("learn_noise", c.learn_noise);
-  visit("push", c.push);
-  visit("inference", c.inference);
-}
-
-[[noreturn]] inline void refuse_field(const std::string& path, const char* expected, const nlohmann::json& got) {
-  refuse(path + ": expected " + expected + ", got " + describe(got));
-}
-
-inline void read_field(const nlohmann::json& json, const std::string& path, double& out) {
-  if (!json.is_number()) refuse_field(path, "a number", json);
-  out = json.get<double>();
-}
-inline void read_field(const nlohmann::json& json, const std::string& path, float& out) {
-  // A float cannot hold every number, and what becomes of the others is undefined.
-  if (!json.is_number() || !(std::abs(json.get<double>()) <= double(std::numeric_limits<float>::max())))
-    refuse_field(path, "a number that a float can hold", json);
-  out = json.get<float>();
-}
-inline void read_field(const nlohmann::json& json, const std::string& path, int& out) {
-  if (!json.is_number_integer() || json > std::numeric_limits<int>::max() || json < std::numeric_limits<int>::min())
-    refuse_field(path, "an integer", json);
-  out = json.get<int>();
-}
-inline void read_field(const nlohmann::json& json, const std::string& path, bool& out) {
-  if (!json.is_boolean()) refuse_field(path, "true or false", json);
-  out = json.get<bool>();
-}
-inline void read_field(const nlohmann::json& json, const std::string& path, TorqueSign& out) {
-  if (json == "external")
-    out = TorqueSign::External;
-  else if (json == "reaction")
-    out = TorqueSign::Reaction;
-  else
-    refuse_field(path, "\"external\" or \"reaction\"", json);
-}
-template <typename Vector>
-void read_numbers(const nlohmann::json& json, const std::string& path, std::size_t size, Vector& out) {
-  if (!json.is_array() || json.size() != size)
-    refuse_field(path, ("an array of " + std::to_string(size) + " numbers").c_str(), json);
-  for (std::size_t i = 0; i < size; ++i)
-    read_field(json[i], path + "[" + std::to_string(i) + "]", out[static_cast<typename Eigen::Index>(i)]);
-}
-template <std::size_t Size>
-void read_field(const nlohmann::json& json, const std::string& path, std::array<double, Size>& out) {
-  Eigen::Map<Eigen::Matrix<double, int(Size), 1>> map(out.data());
-  read_numbers(json, path, Size, map);
-}
-template <typename Scalar, int Size>
-void read_field(const nlohmann::json& json, const std::string& path, Eigen::Matrix<Scalar, Size, 1>& out) {
-  read_numbers(json, path, std::size_t(Size), out);
-}
-template <typename Config>
-void read_fields(const nlohmann::json& json, const std::string& path, bool all, Config& out);
-template <typename Scalar, int Dofs>
-void read_field(const nlohmann::json& json, const std::string& path, std::vector<SensorModel<Scalar, Dofs>>& out) {
-  if (!json.is_array() || json.empty()) refuse_field(path, "an array of one to four sensor models", json);
-  out.clear();
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const std::string at = path + "[" + std::to_string(i) + "]";
-    if (json[i] == "link_side") {
-      out.push_back(SensorModel<Scalar, Dofs>::link_side());
-    } else if (json[i] == "joint_friction") {
-      out.push_back(SensorModel<Scalar, Dofs>::joint_friction());
-    } else if (json[i].is_object()) {
-      out.push_back(SensorModel<Scalar, Dofs>::link_side());
-      read_fields(json[i], at, true, out.back());
-    } else {
-      refuse_field(at, "\"link_side\", \"joint_friction\" or an object", json[i]);
+/// Reads the fields of one object, and refuses those that it was not asked for.
+class SettingsReader {
+ public:
+  SettingsReader(const nlohmann::json& object, const std::string& path, std::initializer_list<const char*> known)
+      : object_(object), path_(path) {
+    if (!object.is_object())
+      refuse((path.empty() ? "the settings" : path) + ": expected an object, got " + describe(object));
+    for (const auto& [key, value] : object.items()) {
+      bool found = false;
+      for (const char* name : known) found = found || key == name;
+      if (!found) refuse(name_of(key) + ": unknown field");
     }
   }
-}
-template <typename Config>  // a struct: whatever no overload above takes
-void read_field(const nlohmann::json& json, const std::string& path, Config& out) {
-  read_fields(json, path, false, out);
-}
-
-template <typename Config>
-void read_fields(const nlohmann::json& json, const std::string& path, bool all, Config& out) {
-  if (!json.is_object()) refuse_field(path.empty() ? "the configuration" : path, "an object", json);
-  const auto at = [&path](const std::string& key) { return path.empty() ? key : path + "." + key; };
-  std::set<std::string> known;
-  visit_fields(
-      out,
-      [&](const char* key, auto& field) {
-        known.insert(key);
-        if (json.contains(key))
-          read_field(json.at(key), at(key), field);
-        else if (all)
-          refuse(at(key) + ": missing");
-      },
-      static_cast<Config*>(nullptr));
-  for (const auto& [key, value] : json.items())
-    if (known.count(key) == 0) refuse(at(key) + ": unknown field");
-}
-
-template <typename Scalar, int Dofs>
-nlohmann::json write_field(const std::vector<SensorModel<Scalar, Dofs>>& sensors);
-template <typename Field>
-nlohmann::json write_field(const Field& field) {
-  if constexpr (std::is_arithmetic_v<Field> || std::is_convertible_v<Field, std::array<double, 3>>) {
-    return field;
-  } else if constexpr (std::is_same_v<Field, TorqueSign>) {
-    return field == TorqueSign::External ? "external" : "reaction";
-  } else if constexpr (std::is_base_of_v<Eigen::MatrixBase<Field>, Field>) {
-    return std::vector<typename Field::Scalar>(field.data(), field.data() + field.size());
-  } else {
-    nlohmann::json out = nlohmann::json::object();
-    visit_fields(
-        field, [&out](const char* key, const auto& value) { out[key] = write_field(value); },
-        static_cast<Field*>(nullptr));
-    return out;
+  const nlohmann::json* find(const char* key) const { return object_.contains(key) ? &object_.at(key) : nullptr; }
+  const nlohmann::json& at(const char* key) const {
+    if (!object_.contains(key)) refuse(name_of(key) + ": missing");
+    return object_.at(key);
   }
+  std::string name_of(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
+
+ private:
+  const nlohmann::json& object_;
+  std::string path_;
+};
+
+template <typename Scalar>
+Scalar read_number(const nlohmann::json& json, const std::string& path) {
+  // A float cannot hold every number, and what becomes of the others is undefined.
+  if (!json.is_number() || !(std::abs(json.get<double>()) <= double(std::numeric_limits<Scalar>::max())))
+    refuse(path + ": expected a number, got " + describe(json));
+  return json.get<Scalar>();
 }
-template <typename Scalar, int Dofs>
-nlohmann::json write_field(const std::vector<SensorModel<Scalar, Dofs>>& sensors) {
-  nlohmann::json out = nlohmann::json::array();
-  for (const auto& sensor : sensors) out.push_back(write_field(sensor));
+template <typename Vector>
+Vector read_vector(const nlohmann::json& json, const std::string& path) {
+  Vector out;
+  const auto size = static_cast<std::size_t>(out.size());
+  if (!json.is_array() || json.size() != size)
+    refuse(path + ": expected an array of " + std::to_string(size) + " numbers, got " + describe(json));
+  for (std::size_t i = 0; i < size; ++i)
+    out[static_cast<Eigen::Index>(i)] =
+        read_number<typename Vector::Scalar>(json[i], path + "[" + std::to_string(i) + "]");
   return out;
 }
+/// The enumerator whose name the string is.
+template <typename Enum, std::size_t Count>
+Enum read_name(const nlohmann::json& json, const std::string& path, const Enum (&values)[Count],
+               const char* const (&names)[Count]) {
+  std::string expected;
+  for (std::size_t i = 0; i < Count; ++i) {
+    if (json == names[i]) return values[i];
+    expected += (i == 0 ? "\"" : ", \"") + std::string(names[i]) + "\"";
+  }
+  refuse(path + ": expected one of " + expected + ", got " + describe(json));
+}
+template <typename Vector>
+std::vector<typename Vector::Scalar> write_vector(const Vector& v) {
+  return std::vector<typename Vector::Scalar>(v.data(), v.data() + v.size());
+}
+
+inline constexpr TorqueSign kSigns[] = {TorqueSign::External, TorqueSign::Reaction};
+inline constexpr const char* kSignNames[] = {"external", "reaction"};
+inline constexpr SensingPrior kSensings[] = {SensingPrior::Unknown, SensingPrior::LinkSide,
+                                             SensingPrior::JointFriction};
+inline constexpr const char* kSensingNames[] = {"unknown", "link_side", "joint_friction"};
 
 }  // namespace detail
 
 template <typename Scalar, int Dofs>
 EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& object) {
+  using Vector = JointVector<Scalar, Dofs>;
   EstimatorConfig<Scalar, Dofs> config;
-  detail::read_fields(object, "", false, config);
+  const detail::SettingsReader reader(
+      object, "", {"gravity", "torque_sign", "rated_payload", "observer_bandwidth", "sensing", "arm", "payload"});
+  if (const auto* v = reader.find("gravity")) config.gravity = detail::read_vector<Vector3<Scalar>>(*v, "gravity");
+  if (const auto* v = reader.find("torque_sign"))
+    config.torque_sign = detail::read_name(*v, "torque_sign", detail::kSigns, detail::kSignNames);
+  if (const auto* v = reader.find("rated_payload"))
+    config.rated_payload = detail::read_number<Scalar>(*v, "rated_payload");
+  if (const auto* v = reader.find("observer_bandwidth"))
+    config.observer_bandwidth = detail::read_number<double>(*v, "observer_bandwidth");
+  if (const auto* v = reader.find("sensing"))
+    config.sensing = detail::read_name(*v, "sensing", detail::kSensings, detail::kSensingNames);
+  if (const auto* v = reader.find("arm")) {
+    const detail::SettingsReader arm(*v, "arm", {"noise", "offset", "residual", "coulomb", "viscous"});
+    const auto vector = [&](const char* key) { return detail::read_vector<Vector>(arm.at(key), arm.name_of(key)); };
+    config.arm = ArmPrior<Scalar, Dofs>{vector("noise"), vector("offset"), vector("residual"), vector("coulomb"),
+                                        vector("viscous")};
+  }
+  if (const auto* v = reader.find("payload")) {
+    const detail::SettingsReader payload(*v, "payload", {"mass_mean", "mass_std", "com_mean", "com_std"});
+    const auto number = [&](const char* key) {
+      return detail::read_number<Scalar>(payload.at(key), payload.name_of(key));
+    };
+    const auto vector = [&](const char* key) {
+      return detail::read_vector<Vector3<Scalar>>(payload.at(key), payload.name_of(key));
+    };
+    config.payload =
+        PayloadPrior<Scalar>{number("mass_mean"), number("mass_std"), vector("com_mean"), vector("com_std")};
+  }
   return config;
 }
 
 template <typename Scalar, int Dofs>
 nlohmann::json estimator_config_to_json(const EstimatorConfig<Scalar, Dofs>& config) {
-  return detail::write_field(config);
+  nlohmann::json out;
+  out["gravity"] = detail::write_vector(config.gravity);
+  out["torque_sign"] = detail::kSignNames[config.torque_sign == TorqueSign::External ? 0 : 1];
+  out["rated_payload"] = config.rated_payload;
+  out["observer_bandwidth"] = config.observer_bandwidth;
+  out["sensing"] = detail::kSensingNames[static_cast<std::size_t>(config.sensing)];
+  if (config.arm) {
+    out["arm"] = {{"noise", detail::write_vector(config.arm->noise)},
+                  {"offset", detail::write_vector(config.arm->offset)},
+                  {"residual", detail::write_vector(config.arm->residual)},
+                  {"coulomb", detail::write_vector(config.arm->coulomb)},
+                  {"viscous", detail::write_vector(config.arm->viscous)}};
+  }
+  if (config.payload) {
+    out["payload"] = {{"mass_mean", config.payload->mass_mean},
+                      {"mass_std", config.payload->mass_std},
+                      {"com_mean", detail::write_vector(config.payload->com_mean)},
+                      {"com_std", detail::write_vector(config.payload->com_std)}};
+  }
+  return out;
 }
 
 }  // namespace rme

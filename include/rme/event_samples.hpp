@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <rme/core/types.hpp>
-#include <rme/estimator_config.hpp>
+#include <rme/event_estimator_config.hpp>
 #include <rme/inference/payload_regressor.hpp>
 #include <rme/inference/payload_statistics.hpp>
 #include <rme/inference/window_statistics.hpp>
@@ -24,8 +24,8 @@ class EventSamples {
   using Statistics = PayloadStatistics<Scalar, Dofs>;
 
   /// @param dt      control period [s]
-  /// @param config  valid (EstimatorConfig::validate()), with one sensor model at least
-  EventSamples(double dt, const EstimatorConfig<Scalar, Dofs>& config) noexcept
+  /// @param config  valid (EventEstimatorConfig::validate()), with one sensor model at least
+  EventSamples(double dt, const EventEstimatorConfig<Scalar, Dofs>& config) noexcept
       : gravity_(config.gravity),
         gyration_radius_(static_cast<Scalar>(config.gyration_radius)),
         jump_(static_cast<Scalar>(config.onset_jump)),
@@ -107,7 +107,7 @@ class EventSamples {
 
  private:
   /// Of ticks whose noise is correlated: together they say little more than one of them.
-  static double block_duration(const EstimatorConfig<Scalar, Dofs>& config) noexcept {
+  static double block_duration(const EventEstimatorConfig<Scalar, Dofs>& config) noexcept {
     return std::min(config.collection, 2 * static_cast<double>(config.sensors.front().noise_correlation_time));
   }
   PayloadObservation<Scalar, Dofs> observation(const Sample<Scalar, Dofs>& sample) const noexcept {

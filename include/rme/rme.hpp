@@ -1,5 +1,6 @@
 #pragma once
-/// All of rme but its JSON forms (rme/network/json.hpp and rme/estimator_json.hpp, target rme::json).
+/// All of rme but its JSON forms (rme/network/json.hpp and rme/event_estimator_json.hpp, rme/estimator_json.hpp, target
+/// rme::json).
 #include <rme/control/active_set_solver.hpp>
 #include <rme/control/barriers.hpp>
 #include <rme/control/compensation.hpp>
@@ -27,6 +28,9 @@
 #include <rme/estimate.hpp>
 #include <rme/estimator.hpp>
 #include <rme/estimator_config.hpp>
+#include <rme/estimator_state.hpp>
+#include <rme/event_estimator.hpp>
+#include <rme/event_estimator_config.hpp>
 #include <rme/event_samples.hpp>
 #include <rme/inference/event_evidence.hpp>
 #include <rme/inference/event_inference.hpp>
@@ -54,6 +58,11 @@
 #include <rme/network/normalization.hpp>
 #include <rme/network/self_attention.hpp>
 #include <rme/network/weights.hpp>
+#include <rme/published/fixed_guess.hpp>
+#include <rme/published/pseudo_wrench_sequence.hpp>
+#include <rme/published/published_config.hpp>
+#include <rme/published/published_pipeline.hpp>
+#include <rme/published/published_state.hpp>
 #include <rme/sensing/friction_direction.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/momentum_observer.hpp>
@@ -61,3 +70,17 @@
 #include <rme/sensing/proprioception.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
 #include <rme/sensing/sample_window.hpp>
+#include <rme/sensing/torque_sign.hpp>
+#include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/event_monitor.hpp>
+#include <rme/tracking/friction_regime.hpp>
+#include <rme/tracking/hypothesis.hpp>
+#include <rme/tracking/hypothesis_bank.hpp>
+#include <rme/tracking/inertial_parameters.hpp>
+#include <rme/tracking/joint_torque_model.hpp>
+#include <rme/tracking/payload_belief.hpp>
+#include <rme/tracking/removal_guard.hpp>
+#include <rme/tracking/sensor_noise.hpp>
+#include <rme/tracking/star_gaussian.hpp>
+#include <rme/tracking/torque_block.hpp>
+#include <rme/tracking/tracker.hpp>

@@ -3,7 +3,7 @@
 // the window's last sample to payload, covariance and torque.
 #include <cstdio>
 #include <random>
-#include <rme/estimator.hpp>
+#include <rme/event_estimator.hpp>
 #include <rme/network/network_prior.hpp>
 #include <string>
 #include <vector>
@@ -44,7 +44,7 @@ void live(std::mt19937_64& random, const Prior& prior, const std::size_t& asked,
   arm.move(pose, HeldArm::kPeriod);
   (void)arm.tick();
   const Payload<double> payload = {1.1 + 0.7 * u(random), {0.05 * u(random), 0.05 * u(random), 0.1 + 0.08 * u(random)}};
-  Estimator<double, 7, Prior> estimator(HeldArm::kPeriod, {}, prior);
+  EventEstimator<double, 7, Prior> estimator(HeldArm::kPeriod, {}, prior);
   for (int tick = 0; tick < 2200; ++tick) {
     if (tick == 1000) arm.hold(payload);
     const auto& sample = arm.tick();

@@ -9,7 +9,7 @@
 #include <deque>
 #include <memory>
 #include <random>
-#include <rme/estimator.hpp>
+#include <rme/event_estimator.hpp>
 #include <rme/inference/published_likelihood.hpp>
 #include <rme/inference/stochastic_vi.hpp>
 #include <rme/network/network_prior.hpp>
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     HeldArm arm(random());
     const Payload<double> payload = {1.1 + 0.7 * u(random),
                                      {0.05 * u(random), 0.05 * u(random), 0.1 + 0.08 * u(random)}};
-    Estimator<double, 7, Prior> estimator(HeldArm::kPeriod, {}, Prior(*network, HeldArm::kPeriod));
+    EventEstimator<double, 7, Prior> estimator(HeldArm::kPeriod, {}, Prior(*network, HeldArm::kPeriod));
     Ticks ticks;
     for (int tick = 0; tick < 3000 && !estimator.estimated(); ++tick) {
       if (tick == 1000) arm.hold(payload);

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <random>
-#include <rme/estimator.hpp>
+#include <rme/event_estimator.hpp>
 #include <string>
 #include <vector>
 
@@ -49,10 +49,10 @@ class RestingArm {
 /// One event from the empty hand to the final estimate, made from `collection` samples; appends what that tick took.
 template <int Dofs>
 void estimate_once(std::mt19937_64& random, int collection, std::vector<double>& times) {
-  EstimatorConfig<double, Dofs> config;
+  EventEstimatorConfig<double, Dofs> config;
   config.collection = collection * kPeriod;
   config.window.duration = config.detector.window + std::max(config.collection, 0.32) + 0.1;
-  Estimator<double, Dofs> estimator(kPeriod, config);
+  EventEstimator<double, Dofs> estimator(kPeriod, config);
   RestingArm<Dofs> arm(random);
   const int last = 3000 + collection;
   for (int tick = 0; tick < last; ++tick) {

@@ -19,8 +19,8 @@ INCLUDES = {
     "`#include <rme/rme.hpp>`": "#include <rme/rme.hpp>\n",
 }
 PROGRAMS = {
-    "one `Estimator<double, 7>`": """#include <rme/estimator.hpp>
-static rme::Estimator<double, 7> estimator(0.001);
+    "one `EventEstimator<double, 7>`": """#include <rme/event_estimator.hpp>
+static rme::EventEstimator<double, 7> estimator(0.001);
 bool tick(const rme::Proprioception<double, 7>& in, rme::JointVector<double, 7>& torque) {
   const bool ok = estimator.update(in) == rme::Status::Ok;
   torque = estimator.compensation(in.jacobian, in.rotation);

@@ -28,6 +28,9 @@ struct RestingArm {
     all_ok = all_ok && status == rme::Status::Ok;
   }
 
+  void show(const rme::EstimatorState<double>& state) { shown = state; }
+
+  rme::EstimatorState<double> shown;
   int tick = 0;
   Torque observed = Torque::Zero();
   Torque commanded = Torque::Zero();
@@ -41,6 +44,9 @@ TEST_CASE("README: its host loop holds an unknown kilogram within 2 percent of i
   const RestingArm::Torque held = arm.nominal_torque() - RestingArm::payload_torque();
   CAPTURE(arm.commanded.transpose());
   CHECK((arm.commanded - held).norm() < 0.02 * 9.81);
+  CHECK(std::abs(arm.shown.payload.mean[0] - 1) < 0.02);
+  CHECK(arm.shown.event.kind == rme::EventKind::Attached);
+  CHECK_FALSE(arm.shown.changing);
 }
 
 }  // namespace

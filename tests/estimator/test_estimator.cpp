@@ -1,671 +1,1019 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <random>
+#include <rme/control/compensation.hpp>
 #include <rme/estimator.hpp>
-#include <stdexcept>
+#include <string>
 #include <synthetic_arm/panda.hpp>
 #include <synthetic_arm/pose_impedance.hpp>
 #include <synthetic_arm/six_joint_arm.hpp>
 #include <synthetic_arm/synthetic_arm.hpp>
 #include <vector>
 
-#include "support/allocation_count.hpp"
 #include "support/catch.hpp"
+#include "support/held_arm.hpp"
 
 namespace {
 
-using rme::Phase;
+using Eigen::Vector3d;
+using rme::EventKind;
+using rme::Hypothesis;
+using rme::Payload;
 using rme::Status;
-using rme::examples::box;
 using rme::examples::panda;
-using rme::examples::PoseImpedance;
-using rme::examples::RigidBody;
-using rme::examples::SyntheticArm;
-using rme::examples::SyntheticArmConfig;
-template <int Dofs>
-using Sample = rme::Proprioception<double, Dofs>;
+using rme::testing::HeldArm;
+using Config = rme::EstimatorConfig<double, 7>;
+using Sample = rme::Proprioception<double, 7>;
+using State = rme::EstimatorState<double>;
+using Torque = rme::JointVector<double, 7>;
 
-constexpr double kPeriod = 1e-3;
-const Eigen::Vector3d kSize(0.06, 0.06, 0.1);
-const RigidBody kFirst = box(1.1, {0.05, 0.02, 0.13}, kSize);
-const RigidBody kSecond = box(0.6, {-0.04, 0.03, 0.1}, kSize);
+constexpr double kPeriod = HeldArm::kPeriod;
+const Payload<double> kObject = {1.0, {0.02, 0.01, 0.1}};
+
+/// An arm that is held, whatever pulls, and an estimator that listens to it. One kilogram makes 5.7 N m there.
+class Bench {
+ public:
+  using Estimator = rme::Estimator<double, 7>;
+
+  explicit Bench(unsigned seed, const Config& config = {}) : arm(seed), estimator(kPeriod, config), random_(seed) {}
+
+  void tick() {
+    sample = arm.tick();
+    sample.tau_ext = sign * (sample.tau_ext + extra);
+    if (torque_step > 0) sample.tau_ext = (sample.tau_ext / torque_step).array().round() * torque_step;
+    for (int j = 0; j < 7; ++j) sample.dq[j] += dq_noise * normal_(random_);
+    REQUIRE(estimator.update(sample) == Status::Ok);
+  }
+  void run(double seconds, const std::function<void()>& each = {}) {
+    for (int k = static_cast<int>(std::lround(seconds / kPeriod)); k > 0; --k) {
+      tick();
+      if (each) each();
+    }
+  }
+  const State& state() const { return estimator.state(); }
+  double mass() const { return state().payload.mean[0]; }
+  double mass_std() const { return state().payload.standard_deviation()[0]; }
+  Torque compensation() const { return estimator.compensation(sample.jacobian, sample.rotation); }
+  /// Of what would carry `payload`, what is commanded: 1 is all of it, below 0 pushes down.
+  double share_of(const Payload<double>& payload) const {
+    const Torque weight = arm.torque(payload);
+    return -compensation().dot(weight) / weight.squaredNorm();
+  }
+  void push(const Vector3d& force, const Vector3d& at = Vector3d::Zero()) {
+    arm.push({force, (sample.rotation * at).cross(force)});
+  }
+
+  HeldArm arm;
+  Estimator estimator;
+  Sample sample;
+  double sign = 1, torque_step = 0, dq_noise = 0;  // [], [N m], [rad/s]
+  Torque extra = Torque::Zero();                   // what tau_ext shows besides [N m]
+
+ private:
+  std::mt19937_64 random_;
+  std::normal_distribution<double> normal_;
+};
+
+/// Within `kilograms` and `metres` across gravity of the truth, and within four of its own standard deviations in all
+/// four, which a Gaussian leaves once in 4,000 times.
+void check_close(const State& state, const Payload<double>& truth, const Eigen::Matrix3d& rotation, double kilograms,
+                 double metres, const Vector3d& gravity = rme::standard_gravity<double>()) {
+  Eigen::Vector4d error = state.payload.mean;
+  error -= truth.vector();
+  const Vector3d down = (rotation.transpose() * gravity).normalized(), lever = error.tail<3>();
+  const Eigen::Vector4d deviations = error.cwiseQuotient(state.payload.standard_deviation());
+  CAPTURE(error.transpose(), deviations.transpose());
+  CHECK_FALSE(state.empty());
+  CHECK(std::abs(error[0]) < kilograms);
+  CHECK((lever - down * down.dot(lever)).norm() < metres);
+  CHECK(deviations.cwiseAbs().maxCoeff() < 4);
+}
+
+bool same(const State& a, const State& b) {
+  return a.time == b.time && a.updated == b.updated && a.payload.mean == b.payload.mean &&
+         a.payload.covariance == b.payload.covariance && a.inertial.mean == b.inertial.mean &&
+         a.inertial.covariance == b.inertial.covariance && a.probability.values == b.probability.values &&
+         a.confidence == b.confidence && a.health == b.health && a.friction_shows == b.friction_shows &&
+         a.changing == b.changing && a.change_onset == b.change_onset && a.change_noticed == b.change_noticed &&
+         a.event.number == b.event.number && a.event.kind == b.event.kind && a.event.onset == b.event.onset &&
+         a.event.noticed == b.event.noticed && a.event.over == b.event.over;
+}
+
+// A whole life in closed loop.
+
+using rme::examples::box;
+using rme::examples::RigidBody;
 
 /// An arm as it comes, sensing behind the gears: white noise and offsets, no friction in the torque.
 template <int Dofs>
-SyntheticArmConfig<Dofs> link_side(const rme::examples::ArmModel<Dofs>& model, std::uint64_t seed) {
-  SyntheticArmConfig<Dofs> config = rme::examples::with_typical_faults(model, seed);
+rme::examples::SyntheticArmConfig<Dofs> link_side(const rme::examples::ArmModel<Dofs>& model, std::uint64_t seed) {
+  auto config = rme::examples::with_typical_faults(model, seed);
   config.friction = {};
   return config;
 }
 
 /// A host: an arm that holds a pose under the impedance law, and the estimator whose compensation it adds.
-template <int Dofs>
 class Host {
  public:
-  using Estimator = rme::Estimator<double, Dofs>;
-  using Config = rme::EstimatorConfig<double, Dofs>;
-
-  Host(const rme::examples::ArmModel<Dofs>& model, const SyntheticArmConfig<Dofs>& faults, const Config& config = {})
-      : arm(model, faults, model.ready), estimator(kPeriod, config), law_(model, model.ready), ramp_(kPeriod) {}
-
-  Sample<Dofs> sample() const {
-    return {arm.tau_ext(), arm.kinematics().jacobian, arm.kinematics().rotation, arm.dq()};
-  }
-
-  /// One tick after the other; a change of phase, an estimate and a rejection leave a letter in `story`.
+  Host(const rme::examples::ArmModel<7>& model, std::uint64_t seed, const Config& config = {})
+      : arm(model, link_side(model, seed), model.ready),
+        estimator(kPeriod, config),
+        law_(model, model.ready),
+        ramp_(kPeriod) {}
   void run(double seconds) {
     for (const double end = arm.time() + seconds - 1e-9; arm.time() < end;) {
-      samples.push_back(sample());
-      const Phase before = estimator.phase();
-      REQUIRE(estimator.update(samples.back()) == Status::Ok);
-      if (estimator.phase() != before) story += rme::to_string(estimator.phase())[0];
-      if (estimator.estimated()) estimates.push_back(estimator.estimate());
-      if (estimator.rejected()) ++rejections;
       const auto& at = arm.kinematics();
+      REQUIRE(estimator.update({arm.tau_ext(), at.jacobian, at.rotation, arm.dq()}) == Status::Ok);
       REQUIRE(ramp_.update(estimator.compensation(at.jacobian, at.rotation)) == Status::Ok);
       arm.step(law_.torque(arm.q(), arm.dq(), at, arm.dynamics()) + ramp_.torque());
     }
   }
+  /// How far the flange is from where it is to be [m].
+  double sag() const { return law_.position_error(arm.kinematics()).norm(); }
 
-  SyntheticArm<Dofs> arm;
-  Estimator estimator;
-  std::string story = "W";  ///< Watching, Collecting, Estimating: first letters
-  std::vector<rme::Estimate<double>> estimates;
-  int rejections = 0;
-  std::vector<Sample<Dofs>> samples;  ///< all that the estimator has seen
+  rme::examples::SyntheticArm<7> arm;
+  rme::Estimator<double, 7> estimator;
 
  private:
-  PoseImpedance<Dofs> law_;
-  rme::CompensationRamp<double, Dofs> ramp_;
+  rme::examples::PoseImpedance<7> law_;
+  rme::CompensationRamp<double, 7> ramp_;
 };
 
-Eigen::Vector4d truth_of(const RigidBody& body) {
-  return (Eigen::Vector4d() << body.mass, body.com).finished();
+Payload<double> payload_of(const RigidBody& body) {
+  return {body.mass, body.com};
 }
 
-/// Within 20 g and 6 mm across gravity of the truth, which is what the torque of one pose tells with offsets of 0.1 and
-/// 0.05 N m less the baseline, and within four of its own standard deviations in all four.
-void check_close(const rme::Estimate<double>& estimate, const RigidBody& body, const Eigen::Matrix3d& rotation,
-                 const Eigen::Vector3d& gravity = rme::standard_gravity<double>()) {
-  const Eigen::Vector4d error = estimate.posterior.mean - truth_of(body);
-  const Eigen::Vector3d down = (rotation.transpose() * gravity).normalized();
-  const Eigen::Vector3d lever = error.tail<3>(), across = lever - down * down.dot(lever);
-  const Eigen::Vector4d deviations = error.cwiseQuotient(estimate.posterior.standard_deviation());
-  CAPTURE(error.transpose(), deviations.transpose());
-  CHECK_FALSE(estimate.empty);
-  CHECK(std::abs(error[0]) < 0.02);
-  CHECK(across.norm() < 6e-3);
-  CHECK(deviations.cwiseAbs().maxCoeff() < 4);
-}
-
-bool same(const rme::Estimate<double>& a, const rme::Estimate<double>& b) {
-  return a.posterior.mean == b.posterior.mean && a.posterior.covariance == b.posterior.covariance &&
-         a.empty == b.empty && a.detected_at == b.detected_at && a.window_begin == b.window_begin &&
-         a.window_end == b.window_end;
-}
-
-TEST_CASE("Estimator: watches, collects, estimates and compensates; a second object adds up, and all go again",
-          "[estimator]") {
+TEST_CASE(
+    "Estimator: knows an object, a second one, that the first has gone and that the hand is empty, and carries "
+    "them",
+    "[estimator]") {
+  const Vector3d size(0.06, 0.06, 0.1);
+  const RigidBody first_body = box(1.1, {0.05, 0.02, 0.13}, size), second_body = box(0.6, {-0.04, 0.03, 0.1}, size);
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     CAPTURE(seed);
-    Host<7> host(panda(), link_side(panda(), seed));
+    Host host(panda(), seed);
     host.run(1);
-    CHECK(host.story == "W");
-    CHECK(host.estimator.estimate().empty);
-    const auto& at = host.arm.kinematics();
-    CHECK(host.estimator.compensation(at.jacobian, at.rotation) == rme::JointVector<double, 7>::Zero());
-
-    const int first = host.arm.attach(kFirst);
-    host.run(3);
-    REQUIRE(host.story == "WCEC");  // Watching, Collecting, Estimating, Compensating
-    CHECK(host.estimator.phase() == Phase::Compensating);
-    REQUIRE(host.estimates.size() == 1);
-    check_close(host.estimates[0], kFirst, at.rotation);
-    // Attached before the tick at 1.000 s, whose sample is still the old one: it shows 1 ms later, and the first 20 ms
-    // are left out.
-    CHECK(host.estimates[0].window_begin == Approx(1.021).margin(2.1e-3));
-    CHECK(host.estimates[0].window_end - host.estimates[0].detected_at == Approx(0.2));
-    CHECK(host.estimates[0].detected_at == host.estimator.detected_at());
-
-    const int second = host.arm.attach(kSecond);
-    host.run(3);
-    REQUIRE(host.story == "WCECCEC");
-    check_close(host.estimator.estimate(), kFirst + kSecond, at.rotation);
-
-    host.arm.detach(first);
-    host.run(3);
-    REQUIRE(host.story == "WCECCECCEC");
-    check_close(host.estimator.estimate(), kSecond, at.rotation);
-
-    host.arm.detach(second);
-    host.run(3);
-    CHECK(host.story == "WCECCECCECCEW");
-    CHECK(host.estimator.phase() == Phase::Watching);
-    CHECK(host.estimator.estimate().empty);
-    CHECK(host.estimator.estimate().posterior.mean == Eigen::Vector4d::Zero());
-    CHECK(host.estimator.compensation(at.jacobian, at.rotation) == rme::JointVector<double, 7>::Zero());
-    CHECK(host.estimates.size() == 4);
-    CHECK(host.rejections == 0);
-  }
-}
-
-TEST_CASE("Estimator: a push is rejected and leaves the estimate as it was", "[estimator]") {
-  Host<7> host(panda(), link_side(panda(), 4));
-  host.run(1);
-  const auto push = [&](double seconds) {
-    host.arm.push({{10, -8, 0}, Eigen::Vector3d::Zero()});
-    host.run(seconds);
-    host.arm.push({});
+    CHECK(host.estimator.state().empty());
+    CHECK(host.estimator.state().event.number == 0);
+    const int first = host.arm.attach(first_body);
     host.run(2);
-  };
-  push(2);
-  CHECK(host.estimates.empty());
-  CHECK(host.rejections >= 1);
-  CHECK(host.estimator.phase() == Phase::Watching);
-
-  host.arm.attach(kFirst);
-  host.run(2);
-  REQUIRE(host.estimates.size() == 1);
-  check_close(host.estimates[0], kFirst, host.arm.kinematics().rotation);
-  const int before = host.rejections;
-  push(2);
-  CHECK(host.estimates.size() == 1);
-  CHECK(host.rejections > before);
-  CHECK(same(host.estimator.estimate(), host.estimates[0]));
-  CHECK(host.estimator.phase() == Phase::Compensating);
-}
-
-TEST_CASE("Estimator: compensation is -J^T times the wrench of the estimate, wherever the arm is", "[estimator]") {
-  // J^T [m g ; (R r) x (m g)], written out.
-  Host<7> host(panda(), link_side(panda(), 5));
-  host.run(1);
-  host.arm.attach(kFirst);
-  host.run(1.5);
-  REQUIRE(host.estimates.size() == 1);
-  const Eigen::Vector4d mean = host.estimates[0].posterior.mean;
-  const Eigen::Vector3d weight(0, 0, -9.81 * mean[0]), com = mean.tail<3>();
-  for (const double turn : {0.0, 0.4, -0.7}) {
-    const auto at = panda().kinematics(panda().ready.array() + turn);
-    rme::Vector6<double> wrench;
-    wrench << weight, (at.rotation * com).cross(weight);
-    const rme::JointVector<double, 7> expected = -at.jacobian.transpose() * wrench;
-    CHECK((host.estimator.compensation(at.jacobian, at.rotation) - expected).norm() < 1e-12);
-    CHECK(expected.norm() > 1);
+    const auto& state = host.estimator.state();
+    const auto& at = host.arm.kinematics();
+    // A second of quiet at 0.1 N m of offset and 0.05 N m of noise leaves 2 g and, at 1 kg, 2 mm.
+    check_close(state, payload_of(first_body), at.rotation, 0.01, 2e-3);
+    CHECK(state.event.kind == EventKind::Attached);
+    CHECK(state.event.number == 1);
+    // 180 N/m hold it: 1.1 kg would sag by 60 mm. The compensation comes within the first 60 ms.
+    CHECK(host.sag() < 2e-3);
+    const int second = host.arm.attach(second_body);
+    host.run(2);
+    check_close(state, payload_of(first_body + second_body), at.rotation, 0.01, 2e-3);
+    CHECK(state.event.kind == EventKind::Exchanged);
+    host.arm.detach(first);
+    host.run(2);
+    check_close(state, payload_of(second_body), at.rotation, 0.01, 3e-3);
+    CHECK(state.event.kind == EventKind::Exchanged);
+    host.arm.detach(second);
+    host.run(2);
+    CHECK(state.empty());
+    CHECK(state.event.kind == EventKind::Removed);
+    CHECK(state.event.number == 4);
+    CHECK(host.estimator.compensation(at.jacobian, at.rotation).norm() < 0.01);
+    CHECK(host.sag() < 2e-3);
   }
-}
-
-TEST_CASE("Estimator: a push that has been there from the start does not spoil all that follows", "[estimator]") {
-  // What was quiet before its end is taken for the empty hand, and the empty hand that follows for another push.
-  Host<7> host(panda(), link_side(panda(), 20));
-  host.arm.push({{10, -8, 3}, Eigen::Vector3d::Zero()});
-  host.run(1.5);
-  host.arm.push({});
-  host.run(2);
-  int handle = host.arm.attach(kFirst);
-  host.run(2);
-  host.arm.detach(handle);
-  host.run(2);
-  handle = host.arm.attach(kSecond);
-  host.run(2);
-  check_close(host.estimator.estimate(), kSecond, host.arm.kinematics().rotation);
-  host.arm.detach(handle);
-  host.run(2);
-  CHECK(host.estimator.phase() == Phase::Watching);
-}
-
-/// The samples of a run in which an object comes, another joins it, both go, and somebody pushes.
-std::vector<Sample<7>> recording(std::uint64_t seed) {
-  Host<7> host(panda(), link_side(panda(), seed));
-  host.run(0.8);
-  const int first = host.arm.attach(kFirst);
-  host.run(1.5);
-  host.arm.push({{10, -8, 0}, Eigen::Vector3d::Zero()});
-  host.run(1.5);
-  host.arm.push({});
-  host.run(1.5);
-  host.arm.detach(first);
-  host.run(1.5);
-  REQUIRE(host.estimates.size() == 2);
-  REQUIRE(host.rejections > 0);
-  return host.samples;
-}
-
-TEST_CASE("Estimator: bad samples are named and leave no trace", "[estimator]") {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-  const unsigned seed = 120;
-  CAPTURE(seed);
-  std::mt19937_64 random(seed);
-  struct Spoilt {
-    const char* what;
-    std::function<void(Sample<7>&)> spoil;
-    Status expected;
-  };
-  const std::vector<Spoilt> bad = {
-      {"NaN torque", [&](Sample<7>& s) { s.tau_ext[2] = nan; }, Status::NonFiniteInput},
-      {"infinite torque", [&](Sample<7>& s) { s.tau_ext[0] = -infinity; }, Status::NonFiniteInput},
-      {"enormous torque", [&](Sample<7>& s) { s.tau_ext[1] = 1e308; }, Status::NonFiniteInput},
-      {"NaN Jacobian", [&](Sample<7>& s) { s.jacobian(3, 4) = nan; }, Status::NonFiniteInput},
-      {"infinite velocity", [&](Sample<7>& s) { s.dq[6] = infinity; }, Status::NonFiniteInput},
-      {"NaN rotation", [&](Sample<7>& s) { s.rotation(1, 1) = nan; }, Status::NonFiniteInput},
-      {"scaled rotation", [&](Sample<7>& s) { s.rotation *= 1.1; }, Status::NotARotation},
-      {"mirror", [&](Sample<7>& s) { s.rotation.col(2) *= -1; }, Status::NotARotation},
-  };
-  rme::Estimator<double, 7> estimator(kPeriod), twin(kPeriod);
-  std::vector<int> ticks_in(4);  // by phase: the bad samples must have met each
-  for (const Sample<7>& good : recording(6)) {
-    const bool spoilt = random() % 3 == 0;
-    if (spoilt) {
-      const Spoilt& which = bad[random() % bad.size()];
-      CAPTURE(which.what);
-      Sample<7> sample = good;
-      which.spoil(sample);
-      const double time = estimator.time();
-      REQUIRE(estimator.update(sample) == which.expected);
-      REQUIRE(estimator.time() == time);
-      ++ticks_in[static_cast<std::size_t>(estimator.phase())];
-    }
-    REQUIRE(estimator.phase() == twin.phase());
-    REQUIRE(estimator.update(good) == Status::Ok);
-    REQUIRE(twin.update(good) == Status::Ok);
-    REQUIRE(estimator.phase() == twin.phase());
-    REQUIRE(estimator.rejected() == twin.rejected());
-    REQUIRE(same(estimator.estimate(), twin.estimate()));
-  }
-  for (const Phase phase : {Phase::Watching, Phase::Collecting, Phase::Compensating})
-    CHECK(ticks_in[static_cast<std::size_t>(phase)] > 0);
-}
-
-TEST_CASE("Estimator: numbers that no arm has never become a NaN in the compensation", "[estimator]") {
-  rme::Estimator<double, 7> estimator(kPeriod);
-  const auto samples = recording(6);
-  const unsigned seed = 121;
-  CAPTURE(seed);
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> exponent(-300, 300);
-  int estimates = 0;
-  for (int round = 0; round < 20; ++round) {
-    for (const Sample<7>& good : samples) {
-      Sample<7> sample = good;
-      if (random() % 300 == 0) sample.tau_ext[static_cast<int>(random() % 7)] *= std::pow(10.0, exponent(random));
-      if (random() % 300 == 0) sample.jacobian *= std::pow(10.0, exponent(random));
-      if (random() % 300 == 0) sample.dq *= std::pow(10.0, exponent(random));
-      if (random() % 300 == 0) estimator.trigger();
-      (void)estimator.update(sample);  // some are refused, some are not
-      estimates += estimator.estimated();
-      REQUIRE(estimator.compensation(good.jacobian, good.rotation).allFinite());
-      REQUIRE(estimator.estimate().posterior.mean.allFinite());
-      REQUIRE(estimator.estimate().posterior.covariance.allFinite());
-    }
-  }
-  CHECK(estimates > 20);
-}
-
-TEST_CASE("Estimator: an arm that reports the reaction torque gets the same estimates", "[estimator]") {
-  rme::EstimatorConfig<double, 7> config;
-  config.torque_sign = rme::TorqueSign::Reaction;
-  rme::Estimator<double, 7> external(kPeriod), reaction(kPeriod, config);
-  int estimates = 0;
-  for (Sample<7> sample : recording(7)) {
-    REQUIRE(external.update(sample) == Status::Ok);
-    sample.tau_ext *= -1;
-    REQUIRE(reaction.update(sample) == Status::Ok);
-    REQUIRE(reaction.phase() == external.phase());
-    REQUIRE(same(reaction.estimate(), external.estimate()));
-    if (reaction.estimated()) ++estimates;
-  }
-  CHECK(estimates == 2);
-}
-
-TEST_CASE("Estimator: watching the norm alone, it notices an object's weight as well", "[estimator]") {
-  rme::EstimatorConfig<double, 7> config;
-  config.watch_norm = true;
-  Host<7> host(panda(), link_side(panda(), 8), config);
-  host.run(1);
-  host.arm.attach(kFirst);
-  host.run(2);
-  REQUIRE(host.estimates.size() == 1);
-  check_close(host.estimates[0], kFirst, host.arm.kinematics().rotation);
-}
-
-TEST_CASE("Estimator: a host that knows when the gripper closes needs no detector", "[estimator]") {
-  const RigidBody light = box(0.1, {0, 0, 0.1}, kSize);  // about 0.56 N m: below the detector's threshold
-  for (const RigidBody& body : {light, kFirst}) {
-    CAPTURE(body.mass);
-    Host<7> host(panda(), link_side(panda(), 8)), without(panda(), link_side(panda(), 8));
-    host.run(1);
-    host.estimator.trigger();
-    CHECK(host.estimator.phase() == Phase::Collecting);
-    host.run(0.05);  // the gripper takes its time
-    host.arm.attach(body);
-    host.run(0.5);
-    REQUIRE(host.estimates.size() == 1);
-    const auto& estimate = host.estimates[0];
-    check_close(estimate, body, host.arm.kinematics().rotation);
-    // Triggered after the sample of 0.999 s, the 1000th. What came before the weight is left out, and so are the 20 ms
-    // (onset_guard) after it.
-    CHECK(estimate.detected_at == Approx(1));
-    CHECK(estimate.window_end == Approx(1.2));
-    CHECK(estimate.window_begin == Approx(1.071).margin(1.1e-3));
-
-    without.run(1.05);
-    without.arm.attach(body);
-    without.run(0.7);
-    CHECK(without.estimates.size() == (body.mass > 1 ? 1u : 0u));
-  }
-}
-
-TEST_CASE("Estimator: once tared, an estimate does not depend on the sensor's offset", "[estimator]") {
-  // An offset of the shape of a weight: with J_v^T g of 5.6 N m per kilogram, 0.5 N m pass for 89 g at rest; tau_ext
-  // shows it with a minus sign. Without a baseline part of that is in the estimate (the sensor model and the arm's
-  // motion speak against the rest), after tare() nothing but what 500 samples leave of the noise.
-  const auto at = panda().kinematics(panda().ready);
-  const rme::JointVector<double, 7> pull = at.jacobian.topRows<3>().transpose() * rme::standard_gravity<double>();
-  REQUIRE(pull.norm() == Approx(5.6).margin(0.05));
-  const auto mass = [&](double offset, bool tared) {
-    SyntheticArmConfig<7> faults = link_side(panda(), 9);
-    faults.torque_offset = offset * pull.normalized();
-    rme::EstimatorConfig<double, 7> config;
-    config.baseline = 0;  // none is learned unless by tare()
-    Host<7> host(panda(), faults, config);
-    host.run(1);
-    if (tared) host.estimator.tare(0.5);
-    host.arm.attach(kFirst);
-    host.run(1.2);
-    REQUIRE(host.estimates.size() == 1);
-    if (tared) check_close(host.estimates[0], kFirst, host.arm.kinematics().rotation);
-    return host.estimates[0].posterior.mean[0];
-  };
-  const double untared_shift = mass(0.5, false) - mass(0, false), tared_shift = mass(0.5, true) - mass(0, true);
-  CHECK(untared_shift < -0.015);
-  CHECK(untared_shift > -0.089);
-  CHECK(std::abs(tared_shift) < 0.001);
 }
 
 TEST_CASE("Estimator: works on an arm that hangs on a wall", "[estimator]") {
   // The base's z axis is horizontal: gravity, in the arm's own world axes, points along -x.
   rme::examples::ArmModel<7> wall = panda();
   wall.gravity_vector << -9.81, 0, 0;
-  rme::EstimatorConfig<double, 7> config;
+  Config config;
   config.gravity = wall.gravity_vector;
-  Host<7> host(wall, link_side(wall, 10), config);
+  Host host(wall, 10, config);
   host.run(1);
-  const int handle = host.arm.attach(kFirst);
+  const RigidBody body = box(1.1, {0.05, 0.02, 0.13}, {0.06, 0.06, 0.1});
+  const int handle = host.arm.attach(body);
   host.run(2);
-  REQUIRE(host.estimates.size() == 1);
-  const auto& at = host.arm.kinematics();
-  check_close(host.estimates[0], kFirst, at.rotation, wall.gravity_vector);
-  const Eigen::Vector4d mean = host.estimates[0].posterior.mean;
-  const Eigen::Vector3d weight(-9.81 * mean[0], 0, 0);
-  rme::Vector6<double> wrench;
-  wrench << weight, (at.rotation * mean.tail<3>()).cross(weight);
-  CHECK((host.estimator.compensation(at.jacobian, at.rotation) + at.jacobian.transpose() * wrench).norm() < 1e-12);
+  check_close(host.estimator.state(), payload_of(body), host.arm.kinematics().rotation, 0.01, 2e-3,
+              wall.gravity_vector);
   host.arm.detach(handle);
-  host.run(2);
-  CHECK(host.estimator.estimate().empty);
+  host.run(1);
+  CHECK(host.estimator.state().empty());
 }
 
-TEST_CASE("Estimator: works on a six-joint arm", "[estimator]") {
-  const auto& model = rme::examples::six_joint_arm();
-  Host<6> host(model, link_side(model, 11));
-  host.run(1);
-  const int handle = host.arm.attach(kFirst);
-  host.run(2);
-  REQUIRE(host.story == "WCEC");
-  check_close(host.estimates[0], kFirst, host.arm.kinematics().rotation);
-  host.arm.detach(handle);
-  host.run(2);
-  CHECK(host.story == "WCECCEW");
+// What went wrong with an estimator that answers once per event.
+
+TEST_CASE("Estimator: a second object that comes any time after the first is found as well", "[estimator]") {
+  const Payload<double> one = {0.6, kObject.com}, both = {1.1, kObject.com};
+  for (const double later : {0.005, 0.01, 0.02, 0.04, 0.1, 0.19, 0.2, 0.3}) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+      CAPTURE(later, seed);
+      Bench bench(seed);
+      bench.run(1);
+      bench.arm.hold(one);
+      bench.run(later);
+      bench.arm.hold(both);
+      bench.run(0.5);
+      check_close(bench.state(), both, bench.sample.rotation, 0.01, 2e-3);
+    }
+  }
+}
+
+TEST_CASE(
+    "Estimator: an object that is dropped as soon as it is known is noticed within 60 ms, and no longer carried "
+    "after 20",
+    "[estimator]") {
+  const Payload<double> object = {1.5, kObject.com};
+  for (const bool noisy : {false, true}) {
+    for (const double later : {0.02, 0.1, 0.3, 2.0}) {
+      for (const unsigned seed : {1u, 2u, 3u}) {
+        CAPTURE(noisy, later, seed);
+        Bench bench(seed);
+        if (noisy) {  // as on a real arm
+          bench.dq_noise = 2e-3;
+          bench.torque_step = 0.05;
+        }
+        bench.run(1 + 0.003 * seed);  // anywhere within a block
+        bench.arm.hold(object);
+        for (int k = 0; k < 100 && bench.share_of(object) < 0.9; ++k) bench.tick();
+        CHECK(bench.share_of(object) > 0.9);
+        bench.run(later);
+        bench.arm.hold({});
+        bench.run(0.02);  // 4 ms of average, and what is safe is twice the weight that is left
+        CHECK(bench.share_of(object) < 0.1);
+        bench.run(0.04);  // two blocks, and a quarter of one to compute
+        CHECK(bench.state().empty());
+        bench.run(1, [&] { REQUIRE(std::abs(bench.share_of(object)) < 0.1); });
+      }
+    }
+  }
+}
+
+TEST_CASE("Estimator: what pushes down and a little aside is not carried for longer than 0.2 s", "[estimator]") {
+  const unsigned seed = 5;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (unsigned k = 0; k < 40; ++k) {
+    Bench bench(100 + k);
+    bench.run(1 + 0.001 * (k % 20));  // anywhere within a block
+    const double down = 9 + 3 * uniform(random), angle = M_PI * uniform(random);
+    CAPTURE(k, down, angle);
+    bench.push({std::cos(angle), std::sin(angle), -down});
+    int carried = 0;
+    bench.run(1, [&] { carried += bench.compensation().norm() > 0.3; });  // 5 % of a kilogram
+    CHECK(carried < 200);
+    CHECK(bench.state().probability[Hypothesis::Pushed] > 0.9);
+    CHECK(bench.state().health > 10);
+    CHECK(bench.state().confidence < 0.1);
+    bench.push({0, 0, 0});
+    bench.run(0.5);
+    CHECK(bench.state().empty());
+  }
+}
+
+TEST_CASE("Estimator: a push on what is carried leaves it as it was", "[estimator]") {
+  for (const unsigned seed : {4u, 5u, 6u}) {
+    CAPTURE(seed);
+    Bench bench(seed);
+    bench.run(1);
+    bench.arm.hold(kObject);
+    bench.run(1);
+    REQUIRE(bench.state().event.number == 1);
+    for (const Vector3d& force : {Vector3d(10, -8, 0), Vector3d(-6, 3, 4), Vector3d(0, 9, -3)}) {
+      bench.push(force);
+      bench.run(0.5);
+      CHECK(bench.state().probability[Hypothesis::Pushed] > 0.9);
+      CHECK(std::abs(bench.mass() - kObject.mass) < 0.05);
+      bench.push({0, 0, 0});
+      bench.run(1);
+      check_close(bench.state(), kObject, bench.sample.rotation, 0.01, 2e-3);
+      CHECK(bench.state().event.kind == EventKind::Pushed);
+    }
+    CHECK(bench.state().event.number == 4);
+  }
+}
+
+TEST_CASE("Estimator: a hand that holds the empty flange up is never a negative mass, and nothing pushes down on it",
+          "[estimator]") {
+  for (const unsigned seed : {10u, 11u, 12u}) {
+    CAPTURE(seed);
+    Bench bench(seed);
+    const auto check = [&] {
+      REQUIRE(bench.mass() >= 0);
+      REQUIRE(bench.mass() < 0.01);
+      REQUIRE(bench.share_of(kObject) > -1e-3);
+      REQUIRE(bench.compensation().norm() < 0.05);
+    };
+    bench.run(1, check);
+    bench.push({0, 0, 6});
+    bench.run(3, check);
+    CHECK(bench.state().confidence < 0.1);
+    bench.push({0, 0, 0});
+    bench.run(1, check);
+    CHECK(bench.state().empty());
+  }
+}
+
+TEST_CASE(
+    "Estimator: what is held since power-on is an object, known as well as the offsets are, and gone when it has "
+    "gone",
+    "[estimator]") {
+  // At first nothing is known of the offsets but that they are below some 0.15 N m, and 5.7 N m are no offset: the
+  // object is believed at once, give or take the 50 g that the offsets may be. When it goes, all that was missing about
+  // the offsets is learned, and the next one is known as well as any.
+  for (const double mass : {0.5, 1.0, 2.0}) {
+    for (const unsigned seed : {5u, 6u}) {
+      CAPTURE(mass, seed);
+      const Payload<double> object = {mass, kObject.com};
+      Bench bench(seed);
+      bench.arm.hold(object);
+      bench.run(0.1);
+      const auto nothing_negative = [&] { REQUIRE(bench.mass() >= 0); };
+      bench.run(4, nothing_negative);
+      check_close(bench.state(), object, bench.sample.rotation, 0.15, 0.06);
+      CHECK(bench.mass_std() > 0.02);
+      CHECK(bench.state().event.kind == EventKind::Attached);
+      bench.arm.hold({});
+      bench.run(0.06, nothing_negative);
+      bench.run(2, [&] {
+        REQUIRE(bench.mass() >= 0);
+        REQUIRE(bench.mass() < 0.03);
+        REQUIRE(bench.compensation().norm() < 0.1);
+      });
+      CHECK(bench.state().empty());
+      CHECK(bench.state().confidence < 0.5);
+      bench.arm.hold({1.2, kObject.com});
+      bench.run(2);
+      check_close(bench.state(), {1.2, kObject.com}, bench.sample.rotation, 0.03, 4e-3);
+    }
+  }
+}
+
+TEST_CASE("Estimator: velocities as noisy as a real arm's cost some accuracy of the mass, and no event",
+          "[estimator]") {
+  // 3 mrad/s of white noise on each joint is, over a block of 20 ms, 0.4 m/s^2 at the flange: 4 % of the weight in each
+  // block, and more in joints that bear less of it. Hundreds of blocks leave below 3 %.
+  for (const double mass : {0.5, 1.0, 2.8}) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+      CAPTURE(mass, seed);
+      const Payload<double> object = {mass, kObject.com};
+      Bench bench(seed);
+      bench.dq_noise = 3e-3;
+      bench.run(2);
+      CHECK(bench.state().empty());
+      CHECK(bench.state().event.number == 0);
+      bench.arm.hold(object);
+      bench.run(3);
+      CAPTURE(bench.state().payload.mean.transpose(), bench.mass_std());
+      CHECK(std::abs(bench.mass() - mass) < 0.03 * mass);
+      CHECK(std::abs(bench.mass() - mass) < 4 * bench.mass_std());
+      CHECK((bench.state().payload.mean.segment<2>(1) - object.com.head<2>()).norm() < 5e-3);
+      CHECK(bench.state().event.number == 1);
+      bench.arm.hold({});
+      bench.run(1);
+      CHECK(bench.state().empty());
+      CHECK(bench.state().event.number == 2);
+    }
+  }
+}
+
+TEST_CASE("Estimator: steps of the torque, a late one and an observer quicker than said cost little", "[estimator]") {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    CAPTURE(seed);
+    Bench stepped(seed);
+    stepped.torque_step = 0.05;
+    stepped.run(1);
+    stepped.arm.hold(kObject);
+    stepped.run(2);
+    // Half a step in joints 2, 4 and 6, of which one kilogram makes 5.7 N m.
+    CHECK(std::abs(stepped.mass() - kObject.mass) < 0.025 / 5.7 * std::sqrt(3.0));
+    Config config;
+    config.observer_bandwidth = 25;  // is 50
+    Bench quicker(seed, config);
+    quicker.run(1);
+    quicker.arm.hold(kObject);
+    quicker.run(2);
+    CHECK(std::abs(quicker.mass() - kObject.mass) < 0.01);
+    CHECK(quicker.state().event.number == 1);
+  }
+}
+
+TEST_CASE("Estimator: declare_empty() makes the hand empty, and data overturn it", "[estimator]") {
+  for (const bool since_power_on : {false, true}) {
+    for (const unsigned seed : {6u, 7u}) {
+      CAPTURE(since_power_on, seed);
+      Bench bench(seed);
+      if (!since_power_on) bench.run(1);
+      bench.arm.hold(kObject);
+      bench.run(1.01);     // in the middle of a block
+      bench.arm.hold({});  // what is left of it does not count
+      bench.estimator.declare_empty();
+      const auto empty = [&] {
+        REQUIRE(bench.state().empty());
+        REQUIRE(bench.mass() < 0.01);
+        REQUIRE(bench.compensation().norm() < 0.05);
+      };
+      empty();
+      bench.run(1, empty);
+
+      bench.arm.hold(kObject);
+      bench.run(1);
+      bench.estimator.declare_empty();  // which is wrong
+      empty();
+      bench.run(0.3);
+      check_close(bench.state(), kObject, bench.sample.rotation, 0.01, 2e-3);
+      bench.arm.hold({});
+      bench.run(0.06);
+      bench.run(0.5, empty);
+    }
+  }
+}
+
+TEST_CASE("Estimator: trigger() with nothing or a push to follow carries nothing; with an object, it is no worse",
+          "[estimator]") {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    CAPTURE(seed);
+    Bench bench(seed);
+    bench.run(1.5);
+    bench.estimator.trigger();
+    const auto nothing = [&] { REQUIRE(bench.compensation().norm() < 0.1); };
+    bench.run(1, nothing);
+    CHECK(bench.state().empty());
+    CHECK(bench.state().event.number == 0);
+    bench.estimator.trigger();
+    bench.push({10, -8, 0});
+    bench.run(1, nothing);
+    CHECK(bench.state().probability[Hypothesis::Pushed] > 0.9);
+    bench.push({0, 0, 0});
+    bench.run(1, nothing);
+    for (int k = 0; k < 500; ++k) {  // asked at every tick
+      bench.estimator.trigger();
+      bench.tick();
+      nothing();
+    }
+    CHECK(bench.state().empty());
+    bench.estimator.trigger();
+    bench.arm.hold(kObject);
+    bench.run(0.5);
+    check_close(bench.state(), kObject, bench.sample.rotation, 0.01, 2e-3);
+  }
+}
+
+TEST_CASE("Estimator: an arm that turns shows what one pose hides, and it is remembered", "[estimator]") {
+  // At rest nothing tells where the centre of mass lies along gravity; turned by a right angle, it does.
+  const Payload<double> object = {1.0, {0.06, -0.02, 0.16}};
+  for (const unsigned seed : {4u, 5u}) {
+    CAPTURE(seed);
+    Bench bench(seed);
+    bench.run(1);
+    bench.arm.hold(object);
+    bench.run(2);
+    CHECK(bench.state().payload.standard_deviation()[3] > 0.05);
+    const HeldArm::Vector ready = bench.arm.pose();
+    HeldArm::Vector turned = ready;
+    turned[5] -= M_PI / 2;
+    bench.arm.move(turned, 1);
+    bench.run(2);
+    for (const bool back : {false, true}) {
+      if (back) {
+        bench.arm.move(ready, 1);
+        bench.run(2);
+      }
+      bench.estimator.trigger();  // asked again
+      bench.run(1);
+      CHECK(bench.state().payload.standard_deviation()[3] < 2e-3);
+      CHECK((bench.state().payload.mean.tail<3>() - object.com).norm() < 2e-3);
+      CHECK(std::abs(bench.mass() - object.mass) < 0.005);
+    }
+    CHECK(bench.state().friction_shows < 0.1);  // motion has shown that there is none
+    CHECK(bench.state().event.number == 1);
+  }
+}
+
+TEST_CASE("Estimator: what is poured in slowly is followed", "[estimator]") {
+  for (const double kilograms : {0.5, 1.0}) {
+    for (const double seconds : {4.0, 20.0}) {
+      CAPTURE(kilograms, seconds);
+      Bench bench(3);
+      Payload<double> bottle = {0.5, {0, 0, 0.1}};
+      bench.run(1);
+      bench.arm.hold(bottle);
+      bench.run(1);
+      // 44 ms late at most, a block and its computation, which is 11 g at 0.25 kg/s; and five deviations of 2 g.
+      const double late = 0.044 * kilograms / seconds + 0.01;
+      bench.run(seconds, [&] {
+        REQUIRE(std::abs(bench.mass() - bottle.mass) < late);
+        bottle.mass += kilograms / seconds * kPeriod;
+        bench.arm.hold(bottle);
+      });
+      bench.run(1);
+      check_close(bench.state(), bottle, bench.sample.rotation, 0.01, 2e-3);
+    }
+  }
+}
+
+TEST_CASE("Estimator: a table that bears part of what is carried is forgotten when it has gone", "[estimator]") {
+  // Upwards through the centre of mass, 6 N are the same as 0.61 kg less: nothing that an arm feels tells them apart,
+  // and a host that knows of the contact says so. Past the centre of mass and aside, it is a push.
+  const Vector3d up(0, 0, 6), beside(0.03, 0, 0.03);
+  for (const unsigned seed : {8u, 9u}) {
+    for (const bool inhibited : {false, true}) {
+      CAPTURE(seed, inhibited);
+      Bench bench(seed);
+      bench.run(1);
+      bench.arm.hold(kObject);
+      bench.run(2);
+      const Eigen::Vector4d before = bench.state().payload.mean;
+      bench.estimator.inhibit(inhibited);
+      bench.push(up, kObject.com);
+      bench.run(1);
+      if (inhibited) {
+        CHECK(bench.state().payload.mean == before);
+        // Of a weight that is mostly missing only twice what is left is carried: it may have been dropped.
+        const double support = 1 - 6 / 9.81 / kObject.mass;
+        CHECK(bench.share_of(kObject) == Approx(std::min(1.0, 2 * support)).margin(0.03));
+      } else {
+        CHECK(bench.mass() == Approx(kObject.mass - 6 / 9.81).margin(0.01));
+      }
+      bench.push({0, 0, 0});
+      if (inhibited) bench.run(0.1);
+      bench.estimator.inhibit(false);
+      bench.run(0.3);
+      check_close(bench.state(), kObject, bench.sample.rotation, 0.01, 2e-3);
+      bench.push(up + Vector3d(3, 0, 0), kObject.com + beside);
+      bench.run(1);
+      CHECK(bench.state().probability[Hypothesis::Pushed] > 0.9);
+      CHECK(std::abs(bench.mass() - kObject.mass) < 0.1);
+      bench.push({0, 0, 0});
+      bench.run(0.5);
+      check_close(bench.state(), kObject, bench.sample.rotation, 0.01, 2e-3);
+    }
+  }
+}
+
+TEST_CASE("Estimator: what was exchanged while it did not listen is found afterwards", "[estimator]") {
+  Bench bench(13);
+  bench.run(1);
+  bench.arm.hold(kObject);
+  bench.run(1);
+  bench.estimator.inhibit(true);
+  const Payload<double> other = {0.4, {-0.03, 0.02, 0.1}};
+  bench.arm.hold(other);
+  bench.run(1);
+  CHECK(std::abs(bench.mass() - kObject.mass) < 0.01);
+  bench.estimator.inhibit(false);
+  bench.run(0.3);
+  check_close(bench.state(), other, bench.sample.rotation, 0.01, 3e-3);
+}
+
+TEST_CASE("Estimator: all that an arm is rated for is found within 0.3 s, from a twentieth of it on", "[estimator]") {
+  for (const double rated : {3.0, 8.0, 12.0}) {
+    for (const double share : {0.05, 0.3, 0.7, 1.0}) {
+      CAPTURE(rated, share);
+      Config config;
+      config.rated_payload = rated;
+      Bench bench(3, config);
+      const Payload<double> object = {share * rated, {0.03, 0, 0.12}};
+      bench.run(1);
+      bench.arm.hold(object);
+      bench.run(0.3);
+      CHECK(std::abs(bench.mass() - object.mass) < 0.003 * rated);
+      CHECK(bench.mass() <= rated);
+      CHECK(bench.state().event.kind == EventKind::Attached);
+      CHECK(std::abs(bench.share_of(object) - 1) < 0.1);
+    }
+  }
+}
+
+TEST_CASE("Estimator: with the torque's sign said wrongly nothing is carried, and health says that something is wrong",
+          "[estimator]") {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    CAPTURE(seed);
+    Bench bench(seed);
+    bench.sign = -1;
+    bench.run(1);
+    bench.arm.hold({1.2, kObject.com});
+    bench.run(2, [&] {
+      REQUIRE(bench.mass() >= 0);
+      REQUIRE(bench.compensation().norm() < 0.1);
+    });
+    CHECK(bench.state().health > 3);
+    CHECK(bench.state().confidence < 0.1);
+  }
+}
+
+TEST_CASE("Estimator: an observer that is not told of the compensation does no harm", "[estimator]") {
+  // Then tau_ext lacks what is carried: m = truth - m has one solution, half the truth. At rest nothing tells it from
+  // an object of that mass; but each change comes back as another, and health says so while it does.
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    CAPTURE(seed);
+    Bench bench(seed);
+    const double weight = bench.arm.torque(kObject).norm();
+    double health = 0;
+    const auto without = [&] {
+      bench.extra += 50 * kPeriod * (bench.compensation() - bench.extra);
+      REQUIRE(bench.compensation().norm() <= weight);
+      REQUIRE(bench.mass() >= 0);
+      health = std::max(health, bench.state().health);
+    };
+    bench.run(1, without);
+    CHECK(health < 3);
+    bench.arm.hold(kObject);
+    bench.run(5, without);
+    CHECK(health > 3);
+    CHECK(bench.mass() == Approx(0.5 * kObject.mass).margin(0.02));
+    bench.arm.hold({});
+    bench.run(2, without);
+    CHECK(bench.state().empty());
+  }
+}
+
+TEST_CASE("Estimator: what a host says is held is believed at once, and overturned if it is not so", "[estimator]") {
+  const auto said = rme::PayloadGaussian<double>::independent(kObject.vector(), {0.01, 0.005, 0.005, 0.005});
+  for (const double truth : {1.0, 0.0, 2.0}) {
+    for (const unsigned seed : {1u, 2u}) {
+      CAPTURE(truth, seed);
+      Bench bench(seed);
+      bench.run(1);
+      REQUIRE(bench.estimator.set_payload(said) == Status::Ok);
+      CHECK(std::abs(bench.mass() - 1) < 0.005);
+      CHECK((bench.state().payload.mean.tail<3>() - kObject.com).norm() < 1e-3);
+      CHECK(bench.share_of(kObject) > 0.99);
+      CHECK(bench.state().confidence > 0.99);
+      bench.arm.hold({truth, kObject.com});
+      bench.run(0.1);
+      CHECK(std::abs(bench.mass() - truth) < 0.05);
+      CHECK(bench.state().empty() == (truth == 0));
+      bench.run(1);
+      CHECK(bench.state().event.kind == (truth == 1   ? EventKind::None
+                                         : truth == 0 ? EventKind::Removed
+                                                      : EventKind::Exchanged));
+    }
+  }
+  Bench bench(3);
+  bench.run(0.5);
+  const State before = bench.state();
+  for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    auto wrong = said;
+    wrong.mean[0] = bad;
+    CHECK(bench.estimator.set_payload(wrong) == Status::NonFiniteInput);
+    wrong = said;
+    wrong.covariance(2, 2) = bad;
+    CHECK(bench.estimator.set_payload(wrong) == Status::NonFiniteInput);
+  }
+  CHECK(same(bench.state(), before));
+}
+
+TEST_CASE("Estimator: says of each event what it was, when it began, when that was known and when it was over",
+          "[estimator]") {
+  for (const unsigned seed : {21u, 22u, 23u}) {
+    CAPTURE(seed);
+    Bench bench(seed);
+    int number = 0;
+    double began = 0;
+    const auto begins = [&] { began = bench.state().time; };
+    // The first sample that shows it comes a tick later.
+    const auto check = [&](EventKind kind, double known, double over) {
+      const rme::Event& event = bench.state().event;
+      CAPTURE(rme::to_string(kind), rme::to_string(event.kind), began, event.onset, event.noticed, event.over);
+      CHECK(event.number == ++number);
+      CHECK(event.kind == kind);
+      CHECK(std::abs(event.onset - began) <= known);
+      CHECK(event.noticed > event.onset);
+      CHECK(event.noticed - began < known + 0.025);
+      // Not before a tenth of a second of quiet, and soon after it.
+      CHECK(event.over > over + 0.08);
+      CHECK(event.over < over + 0.25);
+      CHECK_FALSE(bench.state().changing);
+    };
+    bench.run(1.007);
+    CHECK(bench.state().event.kind == EventKind::None);
+    CHECK(bench.state().event.number == 0);
+    begins();
+    bench.arm.hold({0.6, kObject.com});
+    bench.run(0.05);
+    CHECK(bench.state().changing);
+    CHECK(std::abs(bench.state().change_onset - began) <= 0.021);
+    CHECK(bench.state().change_noticed <= bench.state().time);
+    bench.run(1);
+    check(EventKind::Attached, 0.021, began);
+    begins();
+    bench.arm.hold(kObject);
+    bench.run(1);
+    check(EventKind::Exchanged, 0.021, began);
+    begins();
+    bench.push({10, -8, 0});
+    bench.run(0.8);
+    const double released = bench.state().time;
+    bench.push({0, 0, 0});
+    bench.run(1);
+    check(EventKind::Pushed, 0.021, released);
+    begins();
+    Payload<double> growing = kObject;
+    bench.run(4, [&] {
+      growing.mass += 0.25 * kPeriod;
+      bench.arm.hold(growing);
+    });
+    const double full = bench.state().time;
+    bench.run(0.6);
+    check(EventKind::Filling, 0.2, full);  // 0.25 kg/s shows after 0.1 s, as 25 g
+    begins();
+    bench.arm.hold({});
+    bench.run(1);
+    check(EventKind::Removed, 0.021, began);
+  }
+}
+
+// What holds whatever happens.
+
+/// Six seconds in which an object comes, a hand pushes, the arm moves, something is added and all goes.
+std::vector<Sample> life(unsigned seed) {
+  HeldArm arm(seed);
+  std::vector<Sample> samples;
+  for (int k = 0; k < 6000; ++k) {
+    if (k == 1000) arm.hold({1.1, {0.05, 0.02, 0.13}});
+    if (k == 1800) arm.push({{10, -8, 0}, Vector3d::Zero()});
+    if (k == 2400) arm.push({});
+    if (k == 2900) arm.move(arm.pose() + 0.3 * HeldArm::Vector::Ones(), 0.8);
+    if (k == 4300) arm.hold({1.5, {0.02, 0.02, 0.13}});
+    if (k == 5200) arm.hold({});
+    samples.push_back(arm.tick());
+  }
+  return samples;
+}
+
+TEST_CASE("Estimator: shares are shares, probabilities add up, and compensation is that share of -J^T w",
+          "[estimator]") {
+  rme::Estimator<double, 7> estimator(kPeriod);
+  const auto samples = life(31);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const Sample& sample = samples[k];
+    REQUIRE(estimator.update(sample) == Status::Ok);
+    const State& state = estimator.state();
+    REQUIRE(state.time == Approx(kPeriod * static_cast<double>(k + 1)).epsilon(1e-9));
+    REQUIRE(state.updated <= state.time);
+    REQUIRE(state.time - state.updated < 0.025 + 0.02);  // the block before, and a quarter of one to compute
+    REQUIRE(state.confidence >= 0);
+    REQUIRE(state.confidence <= 1);
+    REQUIRE(state.health >= 0);
+    REQUIRE(state.health <= 100);
+    REQUIRE(state.confidence <= 3 / std::max(3.0, state.health) + 1e-12);  // what is unexplained counts against it
+    REQUIRE(state.friction_shows >= 0);
+    REQUIRE(state.friction_shows <= 1);
+    double sum = 0;
+    for (const double p : state.probability.values) {
+      REQUIRE(p >= 0);
+      sum += p;
+    }
+    REQUIRE(sum == Approx(1));
+    REQUIRE(state.payload.mean[0] >= 0);
+    REQUIRE(state.payload.covariance.diagonal().minCoeff() >= 0);
+
+    // J^T [m g ; (R r) x (m g)], written out.
+    const Eigen::Vector4d mean = state.payload.mean;
+    const Vector3d weight(0, 0, -9.81 * mean[0]), lever = sample.rotation * mean.tail<3>();
+    rme::Vector6<double> wrench;
+    wrench << weight, lever.cross(weight);
+    const Torque full = -sample.jacobian.transpose() * wrench;
+    const Torque commanded = estimator.compensation(sample.jacobian, sample.rotation);
+    const double share = full.norm() > 1e-6 ? commanded.dot(full) / full.squaredNorm() : 0;
+    REQUIRE(share >= 0);
+    REQUIRE(share <= 1 + 1e-12);
+    REQUIRE((commanded - share * full).norm() < 1e-9);
+  }
+  CHECK(estimator.state().event.number >= 4);
+}
+
+TEST_CASE("Estimator: bad samples are named and leave it bit for bit as it was", "[estimator]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const unsigned seed = 120;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  struct Spoilt {
+    const char* what;
+    std::function<void(Sample&)> spoil;
+    Status expected;
+  };
+  const std::vector<Spoilt> bad = {
+      {"NaN torque", [&](Sample& s) { s.tau_ext[2] = nan; }, Status::NonFiniteInput},
+      {"infinite torque", [&](Sample& s) { s.tau_ext[0] = -infinity; }, Status::NonFiniteInput},
+      {"enormous torque", [&](Sample& s) { s.tau_ext[1] = 1e308; }, Status::NonFiniteInput},
+      {"NaN Jacobian", [&](Sample& s) { s.jacobian(3, 4) = nan; }, Status::NonFiniteInput},
+      {"infinite velocity", [&](Sample& s) { s.dq[6] = infinity; }, Status::NonFiniteInput},
+      {"NaN rotation", [&](Sample& s) { s.rotation(1, 1) = nan; }, Status::NonFiniteInput},
+      {"NaN motion", [&](Sample& s) { s.motion.emplace().linear_acceleration[1] = nan; }, Status::NonFiniteInput},
+      {"NaN period", [&](Sample& s) { s.period = nan; }, Status::NonFiniteInput},
+      {"negative period", [&](Sample& s) { s.period = -1e-3; }, Status::NonFiniteInput},
+      {"infinite period", [&](Sample& s) { s.period = infinity; }, Status::NonFiniteInput},
+      {"scaled rotation", [&](Sample& s) { s.rotation *= 1.1; }, Status::NotARotation},
+      {"mirror", [&](Sample& s) { s.rotation.col(2) *= -1; }, Status::NotARotation},
+  };
+  rme::Estimator<double, 7> estimator(kPeriod), twin(kPeriod);
+  for (const Sample& good : life(32)) {
+    if (random() % 3 == 0) {
+      const Spoilt& which = bad[random() % bad.size()];
+      CAPTURE(which.what);
+      Sample sample = good;
+      which.spoil(sample);
+      REQUIRE(estimator.update(sample) == which.expected);
+      REQUIRE(same(estimator.state(), twin.state()));
+      REQUIRE(estimator.compensation(sample.jacobian, sample.rotation).allFinite());
+    }
+    REQUIRE(estimator.update(good) == Status::Ok);
+    REQUIRE(twin.update(good) == Status::Ok);
+    REQUIRE(same(estimator.state(), twin.state()));
+    REQUIRE(estimator.compensation(good.jacobian, good.rotation) == twin.compensation(good.jacobian, good.rotation));
+  }
+}
+
+TEST_CASE("Estimator: for a pose that is none the compensation is that of the last good one", "[estimator]") {
+  Bench bench(33);
+  bench.run(1);
+  bench.arm.hold(kObject);
+  bench.run(0.5);
+  const Sample& s = bench.sample;
+  const Torque good = bench.compensation();
+  CHECK(good.norm() > 5);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(bench.estimator.compensation(rme::Jacobian<double, 7>::Constant(nan), s.rotation) == good);
+  CHECK(bench.estimator.compensation(1e300 * s.jacobian, s.rotation) == good);
+  CHECK(bench.estimator.compensation(s.jacobian, nan * s.rotation) == good);
+  Sample bad = s;
+  bad.jacobian *= 1e300;
+  CHECK(bench.estimator.update(bad) == Status::NonFiniteInput);
+  CHECK(bench.estimator.compensation(bad.jacobian, bad.rotation) == good);
+  // Before the first sample there is no good one, and nothing to carry.
+  CHECK(rme::Estimator<double, 7>(kPeriod).compensation(bad.jacobian, bad.rotation) == Torque::Zero());
 }
 
 TEST_CASE("Estimator: after reset it is as new", "[estimator]") {
-  const auto samples = recording(12);
-  rme::Estimator<double, 7> used(kPeriod), fresh(kPeriod);
-  used.tare(0.1);
-  // Interrupted wherever it was: in the middle of a collection, compensating, after a push.
-  for (const std::size_t stop : {std::size_t(1200), std::size_t(2000), std::size_t(4000), samples.size()}) {
+  const auto samples = life(34);
+  rme::Estimator<double, 7> used(kPeriod);
+  for (const std::size_t stop : {std::size_t(5), std::size_t(1015), std::size_t(2000), samples.size()}) {
     CAPTURE(stop);
     for (std::size_t k = 0; k < stop; ++k) REQUIRE(used.update(samples[k]) == Status::Ok);
+    used.trigger();
+    used.inhibit(true);
     used.reset();
-    fresh = rme::Estimator<double, 7>(kPeriod);
-    CHECK(used.time() == 0);
-    CHECK(used.detected_at() == 0);
-    CHECK(used.verdict().payload == 0);
-    for (const Sample<7>& sample : samples) {
-      REQUIRE(used.update(sample) == Status::Ok);
-      REQUIRE(fresh.update(sample) == Status::Ok);
-      REQUIRE(used.phase() == fresh.phase());
-      REQUIRE(same(used.estimate(), fresh.estimate()));
-    }
-    used.reset();
-  }
-}
-
-TEST_CASE("Estimator: the prior source is told how many samples have settled, and what it says in vain is not used",
-          "[estimator]") {
-  // A prior of 1 mg and 1 um of doubt says what the estimate is, whatever the torque. One tick early it says 2 kg.
-  struct Certain {
-    std::vector<std::size_t>* counts;
-    rme::PayloadGaussian<double> operator()(const rme::SampleWindow<double, 7>&, std::size_t n) const noexcept {
-      counts->push_back(n);
-      const bool in_vain = std::count(counts->begin(), counts->end(), 200u) == 1;
-      return rme::PayloadGaussian<double>::independent({in_vain ? 2 : 1.12, 0.04, 0.03, 0.12},
-                                                       {1e-6, 1e-6, 1e-6, 1e-6});
-    }
-  };
-  const auto samples = recording(13);
-  for (const double refresh : {0.0, 0.01}) {
-    std::vector<std::size_t> counts;
-    rme::EstimatorConfig<double, 7> config;
-    config.refresh = refresh;
-    rme::Estimator<double, 7, Certain> estimator(kPeriod, config, Certain{&counts});
-    for (std::size_t k = 0; k < samples.size() && !estimator.estimated(); ++k) {
-      REQUIRE(estimator.update(samples[k]) == Status::Ok);
-      CHECK((!estimator.refreshed() || refresh > 0));
-    }
-    REQUIRE(estimator.estimated());
-    CHECK((estimator.estimate().posterior.mean - Eigen::Vector4d(1.12, 0.04, 0.03, 0.12)).norm() < 1e-5);
-    REQUIRE_FALSE(counts.empty());
-    CHECK(counts.back() == 200);
-    if (refresh > 0) {
-      CHECK(counts.front() == 0);  // before the change has settled
-      CHECK(std::is_sorted(counts.begin(), counts.end()));
-    } else {
-      CHECK(counts.size() == 2);
+    rme::Estimator<double, 7> fresh(kPeriod);
+    CHECK(same(used.state(), fresh.state()));
+    for (std::size_t k = 0; k < 1500; ++k) {
+      REQUIRE(used.update(samples[k]) == Status::Ok);
+      REQUIRE(fresh.update(samples[k]) == Status::Ok);
+      REQUIRE(same(used.state(), fresh.state()));
     }
   }
 }
 
-TEST_CASE("Estimator: 60 ms after a sharp change most of the payload is carried, and what is said of it is early",
+// Other rates, signs, arms and scalars.
+
+TEST_CASE("Estimator: samples that got lost, and whose time is stated, change what is believed by less than 1 %",
           "[estimator]") {
-  for (const std::uint64_t seed : {15u, 16u, 17u}) {
+  for (const unsigned seed : {41u, 42u, 43u}) {
     CAPTURE(seed);
-    Host<7> host(panda(), link_side(panda(), seed));
-    host.run(1);
-    const int handle = host.arm.attach(kFirst);
-    host.run(0.06);
-    REQUIRE(host.estimates.empty());
-    const auto early = host.estimator.estimate();
-    CHECK_FALSE(early.final);
-    CHECK_FALSE(early.empty);
-    CHECK(early.confidence > 0.95);
-    CHECK(early.confidence < 1);
-    CHECK(std::abs(early.posterior.mean[0] - kFirst.mass) < 0.05 * kFirst.mass);
-    CHECK(early.detected_at == Approx(1.006).margin(5e-3));
-    CHECK(early.window_begin == Approx(1.021).margin(2.1e-3));
-    const auto& at = host.arm.kinematics();
-    const auto needed = rme::compensation_torque<double, 7>({kFirst.mass, kFirst.com}, at.jacobian, at.rotation);
-    CHECK((host.estimator.compensation(at.jacobian, at.rotation) - needed).norm() < 0.1 * needed.norm());
-
-    host.run(2);
-    REQUIRE(host.estimates.size() == 1);
-    CHECK(host.estimator.estimate().final);
-    CHECK(host.estimator.estimate().confidence == 1);
-
-    host.arm.detach(handle);  // and 60 ms after it has gone nothing is carried any more
-    host.run(0.06);
-    CHECK_FALSE(host.estimator.estimate().final);
-    CHECK(host.estimator.estimate().empty);
-    CHECK(host.estimator.compensation(at.jacobian, at.rotation).norm() < 0.01 * needed.norm());
-  }
-}
-
-TEST_CASE("Estimator: a slow change after a triggered one is followed as any", "[estimator]") {
-  Host<7> host(panda(), link_side(panda(), 21));
-  host.run(1);
-  host.estimator.trigger();
-  host.arm.attach(kFirst);
-  host.run(1.5);
-  REQUIRE(host.estimates.size() == 1);
-  host.arm.attach(kSecond, 1.0);
-  host.run(0.8);
-  CHECK_FALSE(host.estimator.estimate().final);
-  CHECK(std::abs(host.estimator.estimate().posterior.mean[0] - host.arm.payload().mass) < 0.15);
-}
-
-TEST_CASE("Estimator: a payload that comes slowly is followed while it comes", "[estimator]") {
-  for (const double ramp : {0.5, 1.0, 2.0}) {
-    CAPTURE(ramp);
-    Host<7> host(panda(), link_side(panda(), 18));
-    host.run(1);
-    host.arm.attach(kFirst, ramp);
-    double worst = 0;
-    for (int k = 0; k < 100; ++k) {
-      host.run(ramp / 100);
-      // Known are the last 100 ms, half of which is old; noticed is a tenth of the payload, and believed 100 ms later.
-      const double late = 0.15 / ramp, share = host.arm.payload().mass / kFirst.mass;
-      if (share > 0.15 + 2 * late && share < 1)
-        worst = std::max(worst, host.arm.payload().mass - host.estimator.estimate().posterior.mean[0]);
+    std::mt19937_64 random(seed);
+    HeldArm arm(seed);
+    rme::Estimator<double, 7> all(kPeriod), some(kPeriod);
+    double missed = 0;
+    for (int k = 0; k < 3000; ++k) {
+      if (k == 1000) arm.hold(kObject);
+      Sample sample = arm.tick();
+      REQUIRE(all.update(sample) == Status::Ok);
+      missed += kPeriod;
+      if (random() % 10 < 3) continue;  // three of ten
+      sample.period = missed;
+      missed = 0;
+      REQUIRE(some.update(sample) == Status::Ok);
+      REQUIRE(some.state().time == Approx(all.state().time).epsilon(1e-9));
     }
-    CHECK(worst < 0.15 / ramp * kFirst.mass + 0.03);
-    host.run(1.5);
-    REQUIRE(host.estimates.size() == 1);
-    check_close(host.estimator.estimate(), kFirst, host.arm.kinematics().rotation);
+    const auto &a = all.state(), &b = some.state();
+    CHECK(std::abs(b.payload.mean[0] - a.payload.mean[0]) < 0.01 * a.payload.mean[0]);
+    CHECK((b.payload.mean - a.payload.mean).segment<2>(1).norm() < 1e-3);
+    CHECK(b.event.number == a.event.number);
+    CHECK(b.event.kind == EventKind::Attached);
+    CHECK(std::abs(b.event.onset - a.event.onset) < 0.025);
+    CHECK(b.friction_shows == Approx(a.friction_shows).margin(0.01));
   }
 }
 
-TEST_CASE("Estimator: a verdict with less than the odds asked for is a rejection", "[estimator]") {
-  for (const bool sceptical : {false, true}) {
-    rme::EstimatorConfig<double, 7> config;
-    config.odds = sceptical ? 1e6 : 0;
-    Host<7> host(panda(), link_side(panda(), 20), config);
-    host.run(1);
-    host.arm.attach(kFirst);
-    host.run(0.7);
-    CHECK(host.estimates.size() == (sceptical ? 0u : 1u));
-    CHECK(host.rejections == (sceptical ? 1 : 0));
-    CHECK(host.estimator.estimate().empty == sceptical);  // the early estimates are taken back
+/// An arm of any number of joints at rest, whose own observer runs at the host's rate.
+template <int Dofs>
+class RestingArm {
+ public:
+  RestingArm(const rme::examples::ArmModel<Dofs>& model, double period, unsigned seed)
+      : model_(model), period_(period), random_(seed) {
+    const auto at = model.kinematics(model.ready);
+    sample_.jacobian = at.jacobian;
+    sample_.rotation = at.rotation;
   }
-}
+  const rme::Proprioception<double, Dofs>& tick(const Payload<double>& held) {
+    rme::JointVector<double, Dofs> tau =
+        sample_.jacobian.transpose() * rme::payload_wrench(held, sample_.rotation).vector();
+    for (int j = 0; j < Dofs; ++j) tau[j] += 0.1 + 0.05 * normal_(random_);
+    sample_.tau_ext += 50 * period_ * (tau - sample_.tau_ext);
+    return sample_;
+  }
 
-TEST_CASE("Estimator: a push that grows and fades is not carried for a moment", "[estimator]") {
-  const std::uint64_t seed = 19;
-  CAPTURE(seed);
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
-  for (int k = 0; k < 10; ++k) {
-    CAPTURE(k);
-    Host<7> host(panda(), link_side(panda(), seed + static_cast<unsigned>(k)));
-    const Eigen::Vector3d force =
-        15 * Eigen::Vector3d(normal(random), normal(random), 0.3 * normal(random)).normalized();
-    host.run(1);
-    double carried = 0;
-    for (int step = 0; step < 100; ++step) {
-      host.arm.push({std::pow(std::sin(M_PI * step / 100), 2) * force, Eigen::Vector3d::Zero()});
-      host.run(0.01);
-      const auto& at = host.arm.kinematics();
-      carried = std::max(carried, host.estimator.compensation(at.jacobian, at.rotation).norm());
+ private:
+  const rme::examples::ArmModel<Dofs>& model_;
+  double period_;
+  std::mt19937_64 random_;
+  std::normal_distribution<double> normal_;
+  rme::Proprioception<double, Dofs> sample_;
+};
+
+TEST_CASE("Estimator: works at 50, 100 and 250 Hz, and at 4 kHz", "[estimator]") {
+  for (const int every : {20, 10, 4}) {  // the arm's own observer runs at 1 kHz
+    CAPTURE(every);
+    HeldArm arm(51);
+    rme::Estimator<double, 7> estimator(every * kPeriod);
+    for (int k = 0; k < 4000; ++k) {
+      if (k == 1000) arm.hold(kObject);
+      if (k == 3000) arm.hold({});
+      const Sample& sample = arm.tick();
+      if (k % every == every - 1) REQUIRE(estimator.update(sample) == Status::Ok);
+      if (k == 1199) CHECK(std::abs(estimator.state().payload.mean[0] - kObject.mass) < 0.03);
+      if (k == 2999) check_close(estimator.state(), kObject, sample.rotation, 0.01, 2e-3);
+      if (k == 3099) CHECK(estimator.state().empty());
     }
-    host.arm.push({});
-    host.run(1);
-    CHECK(carried == 0);
-    CHECK(host.estimates.empty());
+    CHECK(estimator.state().event.number == 2);
+    CHECK(estimator.state().event.onset == Approx(3).margin(0.021));
   }
+  RestingArm<7> arm(panda(), 0.25e-3, 52);
+  rme::Estimator<double, 7> estimator(0.25e-3);
+  for (int k = 0; k < 12000; ++k) {
+    const Sample& sample = arm.tick(k < 4000 || k >= 10000 ? Payload<double>() : kObject);
+    REQUIRE(estimator.update(sample) == Status::Ok);
+    if (k == 4239) CHECK(std::abs(estimator.state().payload.mean[0] - kObject.mass) < 0.03);
+    if (k == 9999) check_close(estimator.state(), kObject, sample.rotation, 0.01, 2e-3);
+    if (k == 10239) CHECK(estimator.state().empty());
+  }
+  CHECK(estimator.state().event.number == 2);
 }
 
-#ifdef RME_COUNTS_ALLOCATIONS
-TEST_CASE("Estimator: allocates nothing once it is made", "[estimator]") {
-  const auto samples = recording(14);
-  const int before_any = rme::testing::allocations();
-  rme::Estimator<double, 7> estimator(kPeriod);
-  REQUIRE(rme::testing::allocations() > before_any);  // the counter counts
-  rme::JointVector<double, 7> sum = rme::JointVector<double, 7>::Zero();
-  int estimates = 0, failures = 0;
-  const int before = rme::testing::allocations();
-  for (int round = 0; round < 2; ++round) {
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      if (k == 700) estimator.tare(0.5);
-      if (k == 5000) estimator.trigger();
-      failures += estimator.update(samples[k]) != Status::Ok;
-      estimates += estimator.estimated();
-      sum += estimator.compensation(samples[k].jacobian, samples[k].rotation);
+TEST_CASE("Estimator: an arm that reports the reaction torque gets the same belief", "[estimator]") {
+  Config config;
+  config.torque_sign = rme::TorqueSign::Reaction;
+  rme::Estimator<double, 7> external(kPeriod), reaction(kPeriod, config);
+  for (Sample sample : life(61)) {
+    REQUIRE(external.update(sample) == Status::Ok);
+    sample.tau_ext *= -1;
+    REQUIRE(reaction.update(sample) == Status::Ok);
+    REQUIRE(same(reaction.state(), external.state()));
+    REQUIRE(reaction.compensation(sample.jacobian, sample.rotation) ==
+            external.compensation(sample.jacobian, sample.rotation));
+  }
+  CHECK(external.state().event.number >= 4);
+}
+
+TEST_CASE("Estimator: works on a six-joint arm", "[estimator]") {
+  RestingArm<6> arm(rme::examples::six_joint_arm(), kPeriod, 62);
+  rme::Estimator<double, 6> estimator(kPeriod);
+  for (int k = 0; k < 4000; ++k) {
+    const auto& sample = arm.tick(k < 1000 || k >= 3000 ? Payload<double>() : kObject);
+    REQUIRE(estimator.update(sample) == Status::Ok);
+    if (k == 1059) CHECK(std::abs(estimator.state().payload.mean[0] - kObject.mass) < 0.05);
+    if (k == 2999) {
+      check_close(estimator.state(), kObject, sample.rotation, 0.01, 3e-3);
+      const auto needed = rme::compensation_torque<double, 6>(kObject, sample.jacobian, sample.rotation);
+      CHECK((estimator.compensation(sample.jacobian, sample.rotation) - needed).norm() < 0.02 * needed.norm());
     }
-    estimator.reset();
+    if (k == 3059) CHECK(estimator.state().empty());
   }
-  const int during = rme::testing::allocations() - before;
-  CHECK(during == 0);
-  CHECK(failures == 0);
-  CHECK(estimates >= 4);
-  CHECK(sum.allFinite());
-}
-#endif
-
-TEST_CASE("Estimator: a setting out of range is refused by name", "[estimator]") {
-  using Config = rme::EstimatorConfig<double, 7>;
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto with = [](const std::function<void(Config&)>& change) {
-    Config config;
-    change(config);
-    rme::Estimator<double, 7> estimator(kPeriod, config);
-  };
-  CHECK_NOTHROW(with([](Config&) {}));
-  for (const double bad : {0.0, -1.0, nan}) {
-    CAPTURE(bad);
-    CHECK_THROWS_WITH((rme::Estimator<double, 7>(bad)), contains("Estimator::dt"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.collection = bad; }), contains("EstimatorConfig::collection"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.onset_span = bad; }), contains("EstimatorConfig::onset_span"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.onset_jump = bad; }), contains("EstimatorConfig::onset_jump"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.early_window = bad; }), contains("EstimatorConfig::early_window"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.gentle_window = bad; }), contains("EstimatorConfig::gentle_window"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.early_excess = bad; }), contains("EstimatorConfig::early_excess"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.unrest = bad; }), contains("EstimatorConfig::unrest"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.detector.window = bad; }), contains("MismatchDetectorConfig::window"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.push.force = bad; }), contains("PushPrior::force"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.sensors[1].noise[2] = bad; }), contains("SensorModel::noise"));
-  }
-  for (const double bad : {-1.0, nan}) {
-    CAPTURE(bad);
-    CHECK_THROWS_WITH(with([=](Config& c) { c.baseline = bad; }), contains("EstimatorConfig::baseline:"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.baseline_guard = bad; }), contains("EstimatorConfig::baseline_guard"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.onset_guard = bad; }), contains("EstimatorConfig::onset_guard"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.refresh = bad; }), contains("EstimatorConfig::refresh"));
-    CHECK_THROWS_WITH(with([=](Config& c) { c.gyration_radius = bad; }), contains("EstimatorConfig::gyration_radius"));
-  }
-  CHECK_THROWS_WITH(with([=](Config& c) { c.odds = nan; }), contains("EstimatorConfig::odds"));
-  CHECK_THROWS_WITH(with([=](Config& c) { c.early_odds = nan; }), contains("EstimatorConfig::early_odds"));
-  CHECK_THROWS_WITH(with([](Config& c) { c.gravity.setZero(); }), contains("EstimatorConfig::gravity"));
-  CHECK_THROWS_WITH(with([=](Config& c) { c.gravity[1] = nan; }), contains("EstimatorConfig::gravity"));
-  CHECK_THROWS_WITH(with([](Config& c) { c.sensors.clear(); }), contains("EstimatorConfig::sensors"));
-  // What the collection, the baseline and the detector look back to must be kept.
-  CHECK_THROWS_WITH(with([](Config& c) { c.window.duration = 0.7; }), contains("SampleWindowConfig::duration"));
-  CHECK_THROWS_WITH(with([](Config& c) { c.collection = 1.2; }), contains("SampleWindowConfig::duration"));
-  CHECK_THROWS_WITH(with([](Config& c) { c.baseline = 1.2; }), contains("SampleWindowConfig::duration"));
+  CHECK(estimator.state().event.number == 2);
 }
 
-using Estimator7 = rme::Estimator<double, 7>;
-static_assert(noexcept(std::declval<Estimator7&>().update(std::declval<const Sample<7>&>())));
-static_assert(noexcept(std::declval<Estimator7&>().trigger()));
-static_assert(noexcept(std::declval<Estimator7&>().tare(1.0)));
-static_assert(noexcept(std::declval<Estimator7&>().reset()));
-static_assert(noexcept(std::declval<const Estimator7&>().compensation(std::declval<const rme::Jacobian<double, 7>&>(),
-                                                                      std::declval<const rme::Matrix3<double>&>())));
-static_assert(noexcept(std::declval<const Estimator7&>().phase()));
-static_assert(noexcept(std::declval<const Estimator7&>().estimate()));
-static_assert(noexcept(std::declval<const Estimator7&>().estimated()));
-static_assert(noexcept(std::declval<const Estimator7&>().rejected()));
-static_assert(noexcept(std::declval<const Estimator7&>().verdict()));
-static_assert(noexcept(std::declval<const Estimator7&>().time()));
+TEST_CASE("Estimator: float believes what double does", "[estimator]") {
+  rme::Estimator<double, 7> in_double(kPeriod);
+  rme::Estimator<float, 7> in_float(kPeriod);
+  std::size_t k = 0, agree = 0, compared = 0;
+  for (const Sample& sample : life(63)) {
+    rme::Proprioception<float, 7> rounded;
+    rounded.tau_ext = sample.tau_ext.cast<float>();
+    rounded.jacobian = sample.jacobian.cast<float>();
+    rounded.rotation = sample.rotation.cast<float>();
+    rounded.dq = sample.dq.cast<float>();
+    REQUIRE(in_double.update(sample) == Status::Ok);
+    REQUIRE(in_float.update(rounded) == Status::Ok);
+    const State& d = in_double.state();
+    const auto& f = in_float.state();
+    REQUIRE(f.payload.mean.allFinite());
+    REQUIRE(f.payload.covariance.allFinite());
+    if (++k % 20 != 0) continue;
+    // Within a fifth of a standard deviation, and 2 g; more only where it has just changed.
+    const Eigen::Vector4d off = f.payload.mean.cast<double>() - d.payload.mean;
+    const Eigen::Vector4d allowed = 0.2 * d.payload.standard_deviation() + Eigen::Vector4d(2e-3, 1e-3, 1e-3, 1e-3);
+    agree += (off.cwiseAbs() - allowed).maxCoeff() <= 0;
+    ++compared;
+  }
+  CAPTURE(agree, compared);
+  CHECK(agree > compared * 97 / 100);
+  CHECK(in_float.state().event.number == in_double.state().event.number);
+  CHECK(in_float.state().event.kind == EventKind::Removed);
+  CHECK(in_float.state().empty());
+}
 
 }  // namespace

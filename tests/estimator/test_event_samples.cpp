@@ -9,7 +9,7 @@ namespace {
 
 using rme::Status;
 using rme::testing::kDofs;
-using Config = rme::EstimatorConfig<double, kDofs>;
+using Config = rme::EventEstimatorConfig<double, kDofs>;
 using Event = rme::EventSamples<double, kDofs>;
 using Sample = rme::Proprioception<double, kDofs>;
 using Statistics = rme::PayloadStatistics<double, kDofs>;

@@ -2,7 +2,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <rme/estimator_json.hpp>
+#include <rme/event_estimator_json.hpp>
 #include <sstream>
 #include <string>
 #include <synthetic_arm/panda.hpp>
@@ -45,7 +45,7 @@ json identified(const std::string& arguments) {
   return out;
 }
 Sensor sensor_of(const json& settings) {
-  return rme::estimator_config_from_json<double, 7>(settings).sensors.front();
+  return rme::event_estimator_config_from_json<double, 7>(settings).sensors.front();
 }
 
 /// CSV text with the columns t, q, dq and tau_ext.
@@ -131,7 +131,7 @@ TEST_CASE("identify_noise: the faults of a synthetic arm come back from its logs
     if (friction_shows) continue;
     CHECK(found.noise_correlation_time == 0.02);
     // Nothing in these logs crosses the thresholds as they are.
-    const rme::EstimatorConfig<double, 7> defaults;
+    const rme::EventEstimatorConfig<double, 7> defaults;
     CHECK(settings["onset_jump"] == defaults.onset_jump);
     CHECK(settings["detector"]["edge_average"] == defaults.detector.edge_average);
   }
@@ -165,7 +165,7 @@ TEST_CASE("identify_noise: thresholds rise over what a log shows while nothing h
   const TemporaryFile unfiltered("unfiltered.json", R"({"window": {"observer_bandwidth": 0}})");
   const TemporaryFile log("restless.csv", resting(1, 0.02, 6));
   const json settings = identified(log.name + " --config " + unfiltered.name);
-  const rme::EstimatorConfig<double, 7> defaults;
+  const rme::EventEstimatorConfig<double, 7> defaults;
   CHECK(settings["onset_jump"] > defaults.onset_jump);
   CHECK(settings["unrest"] > defaults.unrest);
   CHECK(settings["detector"]["activation_threshold"] > defaults.detector.activation_threshold);
@@ -180,9 +180,9 @@ TEST_CASE("identify_noise: replay_log reads the settings that are written, and f
   REQUIRE(run(RME_IDENTIFY_NOISE, log.name + " --output " + settings.name, Stream::Output).exit_code == 0);
   json written;
   std::ifstream(settings.name) >> written;
-  CHECK(rme::estimator_config_to_json(rme::estimator_config_from_json<double, 7>(written)) == written);
+  CHECK(rme::event_estimator_config_to_json(rme::event_estimator_config_from_json<double, 7>(written)) == written);
   const Result replayed =
-      run(RME_REPLAY_LOG, "--json --config " + settings.name + " \"" RME_TEST_DATA "/mujoco/link_side.csv.gz\"",
+      run(RME_REPLAY_EVENTS, "--json --config " + settings.name + " \"" RME_TEST_DATA "/mujoco/link_side.csv.gz\"",
           Stream::Output);
   REQUIRE(replayed.exit_code == 0);
   std::istringstream lines(replayed.text);
@@ -225,7 +225,7 @@ TEST_CASE("identify_noise: an unusable log ends with exit code 3 and the reason"
        {Case{bad_cell, "bad.csv:3: column q2: \"x\""},
         {one_row, "bad.csv: has fewer than two rows"},
         {"t,q1,q2,q3,q4,q5,q6,q7\n0,0,0,0,0,0,0,0\n", "bad.csv:1: columns tau_ext1..tau_ext7 are missing"},
-        {slow, "EstimatorConfig::onset_span"},
+        {slow, "EventEstimatorConfig::onset_span"},
         {resting(0.05, 0, 2), "bad.csv: 10 windows of 0.5 s are needed, the log holds 3"}}) {
     CAPTURE(c.message);
     const TemporaryFile file("bad.csv", c.content);

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <rme/control/compensation.hpp>
 #include <rme/estimator.hpp>
+#include <rme/event_estimator.hpp>
 
 namespace {
 
@@ -41,6 +43,67 @@ class Bytes {
 };
 
 template <typename Scalar>
+using EventEstimator = rme::EventEstimator<Scalar, 6>;
+template <typename Scalar>
+using Estimator = rme::Estimator<Scalar, 6>;
+
+template <typename Scalar>
+EventEstimator<Scalar> make(rme::EventEstimator<Scalar, 6>*) {
+  rme::EventEstimatorConfig<Scalar, 6> config;
+  config.refresh = 0.05;  // not at every tick, which would take most of the time
+  return EventEstimator<Scalar>(kPeriod, config);
+}
+template <typename Scalar>
+Estimator<Scalar> make(rme::Estimator<Scalar, 6>*) {
+  return Estimator<Scalar>(kPeriod);
+}
+
+/// What else a host may call.
+template <typename Scalar>
+void call(rme::EventEstimator<Scalar, 6>& estimator, std::uint8_t, double number) {
+  estimator.tare(number);
+}
+template <typename Scalar>
+void call(rme::Estimator<Scalar, 6>& estimator, std::uint8_t which, double number) {
+  if (which % 4 == 0) estimator.declare_empty();
+  if (which % 4 == 1) estimator.inhibit(true);
+  if (which % 4 == 2) estimator.inhibit(false);
+  if (which % 4 != 3) return;
+  rme::PayloadGaussian<Scalar> payload = rme::PayloadGaussian<Scalar>::independent(
+      {1, 0, 0, Scalar(0.1)}, {Scalar(0.1), Scalar(0.05), Scalar(0.05), Scalar(0.05)});
+  payload.mean[which / 4 % 4] = static_cast<Scalar>(number);
+  (void)estimator.set_payload(payload);
+}
+
+template <typename Scalar>
+void check_same(const EventEstimator<Scalar>& estimator, const EventEstimator<Scalar>& twin) {
+  const rme::Estimate<Scalar>&a = estimator.estimate(), &b = twin.estimate();
+  check(a.posterior.mean.allFinite() && a.posterior.covariance.allFinite() && std::isfinite(a.confidence));
+  check((a.posterior.covariance.diagonal().array() >= 0).all());
+  check(a.posterior.mean == b.posterior.mean && a.posterior.covariance == b.posterior.covariance);
+  check(a.empty == b.empty && a.final == b.final && estimator.phase() == twin.phase());
+  check(std::isfinite(estimator.verdict().log_odds()) && std::isfinite(estimator.verdict().excess));
+}
+template <typename Scalar>
+void check_same(const Estimator<Scalar>& estimator, const Estimator<Scalar>& twin) {
+  const rme::EstimatorState<Scalar>&a = estimator.state(), &b = twin.state();
+  check(a.payload.mean.allFinite() && a.payload.covariance.allFinite() && std::isfinite(a.confidence));
+  check(a.inertial.mean.allFinite() && a.inertial.covariance.allFinite() && std::isfinite(a.health));
+  check(a.payload.mean[0] >= 0 && (a.payload.covariance.diagonal().array() >= 0).all());
+  check(a.confidence >= 0 && a.confidence <= 1 && a.friction_shows >= 0 && a.friction_shows <= 1);
+  Scalar sum = 0;
+  for (const Scalar p : a.probability.values) {
+    check(p >= 0);
+    sum += p;
+  }
+  check(std::abs(sum - 1) < Scalar(1e-3));
+  check(a.payload.mean == b.payload.mean && a.payload.covariance == b.payload.covariance);
+  check(a.inertial.mean == b.inertial.mean && a.inertial.covariance == b.inertial.covariance);
+  check(a.probability.values == b.probability.values && a.time == b.time && a.updated == b.updated);
+  check(a.event.number == b.event.number && a.event.kind == b.event.kind && a.changing == b.changing);
+}
+
+template <typename Scalar, template <typename> class Kind>
 class Host {
  public:
   using Tick = rme::Proprioception<Scalar, 6>;
@@ -90,8 +153,9 @@ class Host {
           for (auto* estimator : {&estimator_, &twin_}) estimator->trigger();
           break;
         case 9: {
-          const double duration = bytes.number<double>();
-          for (auto* estimator : {&estimator_, &twin_}) estimator->tare(duration);
+          const std::uint8_t which = bytes.byte();
+          const auto number = bytes.number<double>();
+          for (auto* estimator : {&estimator_, &twin_}) call(*estimator, which, number);
           break;
         }
         case 10:
@@ -104,11 +168,6 @@ class Host {
   }
 
  private:
-  static rme::EstimatorConfig<Scalar, 6> config() {
-    rme::EstimatorConfig<Scalar, 6> config;
-    config.refresh = 0.05;  // not at every tick, which would take most of the time
-    return config;
-  }
   Tick next() {
     good_.tau_ext += Scalar(0.4) * (load_ + push_ - good_.tau_ext);
     return good_;
@@ -124,7 +183,9 @@ class Host {
     }
   }
   static void spoil(Tick& tick, Bytes& bytes) {
-    if (bytes.byte() % 4 == 0) tick.motion.emplace();
+    const std::uint8_t beside = bytes.byte();
+    if (beside % 4 == 0) tick.motion.emplace();
+    if (beside % 16 == 1) tick.period = bytes.number<double>();
     const std::uint8_t entry = bytes.byte();
     replace(tick, entry, bytes.number<Scalar>());
   }
@@ -150,12 +211,7 @@ class Host {
     if (++fed_ > kMostTicks) return;
     check(estimator_.compensation(tick.jacobian, tick.rotation).allFinite());
     if (estimator_.update(tick) == rme::Status::Ok) check(twin_.update(tick) == rme::Status::Ok);
-    const rme::Estimate<Scalar>&a = estimator_.estimate(), &b = twin_.estimate();
-    check(a.posterior.mean.allFinite() && a.posterior.covariance.allFinite() && std::isfinite(a.confidence));
-    check((a.posterior.covariance.diagonal().array() >= 0).all());
-    check(a.posterior.mean == b.posterior.mean && a.posterior.covariance == b.posterior.covariance);
-    check(a.empty == b.empty && a.final == b.final && estimator_.phase() == twin_.phase());
-    check(std::isfinite(estimator_.verdict().log_odds()) && std::isfinite(estimator_.verdict().excess));
+    check_same(estimator_, twin_);
     const auto before = ramp_.torque();
     check(ramp_.update(estimator_.compensation(tick.jacobian, tick.rotation)) == rme::Status::Ok);
     check((ramp_.torque() - before).cwiseAbs().maxCoeff() <= Scalar(5.001));
@@ -168,7 +224,7 @@ class Host {
   int frozen_left_ = 0;
   static constexpr int kMostTicks = 600;  // two or three events
   int fed_ = 0;
-  rme::Estimator<Scalar, 6> estimator_{kPeriod, config()}, twin_{kPeriod, config()};
+  Kind<Scalar> estimator_ = make(static_cast<Kind<Scalar>*>(nullptr)), twin_ = estimator_;
   rme::CompensationRamp<Scalar, 6> ramp_{Scalar(kPeriod)};
 };
 
@@ -176,9 +232,18 @@ class Host {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
-  if (bytes.byte() % 2 == 0)
-    Host<double>().run(bytes);
-  else
-    Host<float>().run(bytes);
+  switch (bytes.byte() % 4) {
+    case 0:
+      Host<double, Estimator>().run(bytes);
+      break;
+    case 1:
+      Host<float, Estimator>().run(bytes);
+      break;
+    case 2:
+      Host<double, EventEstimator>().run(bytes);
+      break;
+    default:
+      Host<float, EventEstimator>().run(bytes);
+  }
   return 0;
 }

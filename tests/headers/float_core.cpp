@@ -370,7 +370,7 @@ bool self_attention_takes_the_mean_of_equal_samples() {
 
 /// J = I, so that the joint torques of the six-joint arm are the wrench on its flange.
 struct Hand {
-  rme::Estimator<float, 6> estimator{0.001};
+  rme::EventEstimator<float, 6> estimator{0.001};
   rme::Proprioception<float, 6> sample;
   bool hold(const Vector6& wrench, int ticks) {
     sample.jacobian.setIdentity();
@@ -403,6 +403,35 @@ bool estimator_is_not_fooled_by_a_push_or_a_nan() {
   return hand.hold(push, 1000) && hand.hold(Vector6::Zero(), 1500) && hand.estimator.estimate().empty;
 }
 
+/// The same through the tracker, on an arm of seven joints that no wrench is hidden from.
+struct TrackedHand {
+  rme::Estimator<float, 7> estimator{0.001};
+  rme::Proprioception<float, 7> sample;
+  TrackedHand() { sample.jacobian.leftCols<6>().setIdentity(); }
+  bool hold(const Vector6& wrench, int ticks) {
+    for (; ticks > 0; --ticks) {
+      sample.tau_ext += 0.05F * (sample.jacobian.transpose() * wrench - sample.tau_ext);
+      if (estimator.update(sample) != Status::Ok) return false;
+    }
+    return true;
+  }
+};
+
+bool tracker_finds_carries_and_lets_go() {
+  const auto hand = std::make_unique<TrackedHand>();
+  const auto& state = hand->estimator.state();
+  const rme::Payload<float> kilogram{1, {0.02F, 0, 0.1F}};
+  const Vector6 weight = rme::payload_wrench(kilogram, hand->sample.rotation).vector();
+  if (!hand->hold(Vector6::Zero(), 500) || !state.empty() || !hand->hold(weight, 200)) return false;
+  if (state.empty() || !near(state.payload.mean[0], 1, 0.02) || !near(state.payload.mean[1], 0.02, 0.005)) return false;
+  const auto carried = hand->estimator.compensation(hand->sample.jacobian, hand->sample.rotation);
+  if (!near(carried.head<6>(), -weight, 0.3)) return false;
+  auto bad = hand->sample;
+  bad.tau_ext[3] = kNan;
+  if (hand->estimator.update(bad) != Status::NonFiniteInput) return false;
+  return hand->hold(Vector6::Zero(), 200) && state.empty() && state.event.kind == rme::EventKind::Removed;
+}
+
 struct Case {
   const char* name;
   bool (*passes)();
@@ -433,8 +462,9 @@ const Case kCases[] = {
     {"EnergyTank, PassivityMonitor: their books", tank_and_monitor_keep_their_books},
     {"MismatchNetwork: as in PyTorch", network_is_that_of_pytorch},
     {"SelfAttention: the mean of equal samples", self_attention_takes_the_mean_of_equal_samples},
-    {"Estimator: weighs, carries, lets go", estimator_weighs_carries_and_lets_go},
-    {"Estimator: not fooled by a push or a NaN", estimator_is_not_fooled_by_a_push_or_a_nan},
+    {"Estimator: finds, carries, lets go", tracker_finds_carries_and_lets_go},
+    {"EventEstimator: weighs, carries, lets go", estimator_weighs_carries_and_lets_go},
+    {"EventEstimator: not fooled by a push or a NaN", estimator_is_not_fooled_by_a_push_or_a_nan},
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ bool estimator_weighs_a_kilogram() {
     if (tick >= 1000) sample.tau_ext += blend * (w - sample.tau_ext);
     if (estimator.update(sample) != rme::Status::Ok) return false;
   }
-  return std::abs(estimator.estimate().payload().mass - Scalar(1)) < Scalar(0.02);
+  return std::abs(estimator.state().payload.mean[0] - Scalar(1)) < Scalar(0.02);
 }
 
 /// J = I and M = I, so that ddq = tau - h: the passive law asks for 30 N along x (60 N s/m times 0.5 m/s), a row allows

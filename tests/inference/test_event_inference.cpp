@@ -248,7 +248,7 @@ TEST_CASE("EventInference: a baseline sharpens the estimate, and forgetting it t
 
 TEST_CASE("EventInference: a setting out of range is refused by name", "[event_inference]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH(inference_of({}), contains("EstimatorConfig::sensors"));
+  CHECK_THROWS_WITH(inference_of({}), contains("EventEstimatorConfig::sensors"));
   Model model = Model::link_side();
   model.offset[3] = 0;
   CHECK_THROWS_WITH(inference_of({Model::link_side(), model}), contains("SensorModel::offset"));

@@ -1,5 +1,5 @@
 #include <cmath>
-#include <rme/estimator.hpp>
+#include <rme/event_estimator.hpp>
 #include <synthetic_arm/panda.hpp>
 #include <synthetic_arm/pose_impedance.hpp>
 #include <synthetic_arm/synthetic_arm.hpp>
@@ -17,7 +17,7 @@ rme::PayloadGaussian<double> estimate(const ShippedPrior& prior, const RigidBody
   const ArmModel<7>& model = panda();
   SyntheticArm<7> arm(model, with_typical_faults(model, seed), model.ready);
   const PoseImpedance<7> controller(model, model.ready);
-  rme::Estimator<double, 7, ShippedPrior> estimator(0.001, {}, prior);
+  rme::EventEstimator<double, 7, ShippedPrior> estimator(0.001, {}, prior);
   for (int k = 0; k < 3000 && !estimator.estimated(); ++k) {
     if (k == 1000) arm.attach(payload);
     const auto& [position, rotation, jacobian] = arm.kinematics();

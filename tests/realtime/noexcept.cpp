@@ -27,8 +27,15 @@ struct Loop {
   static_assert(noexcept(rme::Cholesky<Scalar, 6>(a<rme::Matrix6<Scalar>>())));
 
   // estimator
+  using Tracking = rme::Estimator<Scalar, Dofs>;
+  static_assert(noexcept(my<Tracking>().update(a<Tick>())) && noexcept(a<Tracking>().state()));
+  static_assert(noexcept(a<Tracking>().compensation(a<Jacobian>(), a<Matrix3>())));
+  static_assert(noexcept(my<Tracking>().trigger()) && noexcept(my<Tracking>().declare_empty()));
+  static_assert(noexcept(my<Tracking>().set_payload(a<rme::PayloadGaussian<Scalar>>())));
+  static_assert(noexcept(my<Tracking>().inhibit(true)) && noexcept(my<Tracking>().reset()));
+  static_assert(noexcept(a<Tracking>().config()) && noexcept(a<rme::EstimatorState<Scalar>>().empty()));
   using Prior = rme::NetworkPrior<Scalar>;
-  using Estimator = rme::Estimator<Scalar, Dofs, Prior>;
+  using Estimator = rme::EventEstimator<Scalar, Dofs, Prior>;
   static_assert(noexcept(my<Estimator>().update(a<Tick>())));
   static_assert(noexcept(my<Estimator>().trigger()) && noexcept(my<Estimator>().tare(1.0)));
   static_assert(noexcept(my<Estimator>().reset()));
@@ -46,6 +53,28 @@ struct Loop {
   static_assert(noexcept(my<Event>().forget_onset()) && noexcept(a<Event>().about(a<Vector3>())));
   static_assert(noexcept(a<Event>().sums(a<Window>(), 0, 1)) && noexcept(a<Event>().quiet_sums(a<Window>(), 0, 1)));
   static_assert(noexcept(a<Event>().regressor(a<Kept>())));
+
+  // tracking
+  using Block = rme::TorqueBlock<Scalar, Dofs>;
+  using Averager = rme::BlockAverager<Scalar, Dofs>;
+  using Tracker = rme::Tracker<Scalar, Dofs>;
+  using Regime = rme::FrictionRegime<Scalar, Dofs>;
+  using Inertial = rme::InertialGaussian<Scalar>;
+  using Guard = rme::RemovalGuard<Scalar, Dofs>;
+  using Monitor = rme::EventMonitor<Scalar>;
+  static_assert(noexcept(my<Averager>().add(a<Tick>(), 1e-3, 1)) && noexcept(my<Averager>().clear()));
+  static_assert(noexcept(a<Averager>().block()) && noexcept(a<Averager>().torque()));
+  static_assert(noexcept(my<Regime>().update(a<Block>())));
+  static_assert(noexcept(my<Tracker>().begin(a<Block>(), true)) && noexcept(my<Tracker>().advance()));
+  static_assert(noexcept(a<Tracker>().belief()) && noexcept(my<Tracker>().declare_empty()));
+  static_assert(noexcept(my<Tracker>().set_payload(a<rme::PayloadGaussian<Scalar>>())));
+  static_assert(noexcept(my<Guard>().update(a<Vector>(), a<Vector>(), Scalar(1e-3))));
+  static_assert(noexcept(my<Guard>().learn(a<Vector>())) && noexcept(a<Guard>().share()));
+  static_assert(noexcept(my<Monitor>().update(a<rme::PerHypothesis<Scalar>>(), 0, 1, 1, Scalar(1), Scalar(1))));
+  static_assert(noexcept(my<Monitor>().believe(true)) && noexcept(my<Monitor>().reset()));
+  static_assert(noexcept(rme::within_rated(a<Inertial>(), Scalar(3))));
+  static_assert(noexcept(rme::payload_of(a<Inertial>(), a<rme::PayloadPrior<Scalar>>())));
+  static_assert(noexcept(rme::inertial_wrench_regressor(a<Matrix3>(), a<Vector3>(), a<rme::FlangeMotion<Scalar>>())));
 
   // sensing
   using Detector = rme::MismatchDetector<Dofs>;

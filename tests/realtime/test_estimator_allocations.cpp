@@ -6,6 +6,7 @@
 #include <rme/control/compensation.hpp>
 #include <rme/control/energy_tank.hpp>
 #include <rme/estimator.hpp>
+#include <rme/event_estimator.hpp>
 #include <rme/network/network_prior.hpp>
 
 #include "network/golden.hpp"
@@ -53,13 +54,56 @@ struct NetworkAndPrior {
   std::unique_ptr<Prior> prior;
 };
 
-TEST_CASE("Allocations: none in the estimator with a network, from the first tick to reset", "[realtime]") {
+TEST_CASE(
+    "Allocations: none in the estimator, while things are attached, pushed, filled and removed, and a host says "
+    "what it knows",
+    "[realtime]") {
+  const std::uint64_t seed = 300;
+  CAPTURE(seed);
+  auto ticks = life(seed);
+  rme::testing::HeldArm arm(seed);  // a cup that is filled, changed and taken away
+  for (int k = 0; k < 4000; ++k) {
+    if (k >= 500 && k <= 2500) arm.hold({0.5 + 2.5e-4 * (k - 500), {0, 0, 0.1}});
+    if (k == 3000) arm.hold({0.4, {0, 0, 0.1}});
+    if (k == 3500) arm.hold({});
+    ticks.push_back(arm.tick());
+  }
+  spoil(ticks);
+  for (std::size_t k = 11; k < ticks.size(); k += 89) ticks[k].period = 3 * kPeriod;
+  rme::Estimator<double, 7> estimator(kPeriod);
+  rme::CompensationRamp<double, 7> ramp(kPeriod);
+  const auto said = Gaussian::independent({1, 0, 0, 0.1}, {0.1, 0.05, 0.05, 0.05});
+  bool met[6] = {};  // by kind of event
+  int refused = 0;
+  double largest = 0;
+  const int count = allocations_of([&] {
+    for (int round = 0; round < 3; ++round) {
+      for (std::size_t k = 0; k < ticks.size(); ++k) {
+        if (round > 0 && k % 1000 == 990) estimator.trigger();
+        if (round == 1 && k == 900) estimator.declare_empty();
+        if (round == 2 && k == 900) refused += estimator.set_payload(said) != Status::Ok;
+        if (round == 2 && k % 1500 == 0) estimator.inhibit(k % 3000 == 0);
+        refused += estimator.update(ticks[k]) != Status::Ok;
+        met[static_cast<int>(estimator.state().event.kind)] = true;
+        refused += ramp.update(estimator.compensation(ticks[k].jacobian, ticks[k].rotation)) != Status::Ok;
+        largest = std::max(largest, ramp.torque().norm());
+      }
+      estimator.reset();
+    }
+  });
+  CHECK(count == 0);
+  for (const bool kind : met) CHECK(kind);
+  CHECK(refused > 300);
+  CHECK(largest > 1);
+}
+
+TEST_CASE("Allocations: none in the event estimator with a network, from the first tick to reset", "[realtime]") {
   const std::uint64_t seed = 301;
   CAPTURE(seed);
   auto ticks = life(seed);
   spoil(ticks);
   const NetworkAndPrior with;
-  rme::Estimator<double, 7, Prior> estimator(kPeriod, {}, *with.prior);
+  rme::EventEstimator<double, 7, Prior> estimator(kPeriod, {}, *with.prior);
   rme::CompensationRamp<double, 7> ramp(kPeriod);
   rme::EnergyTank<double> tank(kPeriod);
   int estimates = 0, early = 0, rejections = 0, refused = 0;
@@ -88,13 +132,13 @@ TEST_CASE("Allocations: none in the estimator with a network, from the first tic
   CHECK(largest > 1);
 }
 
-TEST_CASE("Allocations: none in what the estimator is made of", "[realtime]") {
+TEST_CASE("Allocations: none in what the event estimator is made of", "[realtime]") {
   const std::uint64_t seed = 302;
   CAPTURE(seed);
   auto ticks = life(seed);
   spoil(ticks);
   const NetworkAndPrior with;
-  const rme::EstimatorConfig<double, 7> config;
+  const rme::EventEstimatorConfig<double, 7> config;
   rme::SampleWindow<double, 7> window(kPeriod);
   rme::MismatchDetector<7> detector(kPeriod);
   rme::MismatchDetector<1> published(kPeriod, rme::MismatchDetectorConfig::published());

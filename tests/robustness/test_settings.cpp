@@ -2,7 +2,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <rme/estimator_json.hpp>
+#include <rme/event_estimator_json.hpp>
 #include <rme/rme.hpp>
 #include <string>
 #include <vector>
@@ -57,13 +57,13 @@ void collect_leaves(Config& config, std::vector<Leaf>& leaves) {
 
 /// Of the construction with one number out of range; empty if it goes through.
 std::string refusal(std::size_t leaf, double value, std::string& field) {
-  rme::EstimatorConfig<double, 7> config;
+  rme::EventEstimatorConfig<double, 7> config;
   std::vector<Leaf> leaves;
   collect_leaves(config, leaves);
   field = leaves[leaf].field;
   leaves[leaf].set(value);
   try {
-    rme::Estimator<double, 7> estimator(kPeriod, config);
+    rme::EventEstimator<double, 7> estimator(kPeriod, config);
     // What is accepted has to work: an object that comes leaves finite numbers.
     HeldArm arm(40);
     for (int k = 0; k < 2500; ++k) {
@@ -79,13 +79,13 @@ std::string refusal(std::size_t leaf, double value, std::string& field) {
 }
 
 std::size_t leaf_count() {
-  rme::EstimatorConfig<double, 7> config;
+  rme::EventEstimatorConfig<double, 7> config;
   std::vector<Leaf> leaves;
   collect_leaves(config, leaves);
   return leaves.size();
 }
 
-TEST_CASE("EstimatorConfig: a NaN in any of its fields is refused by name, with what was expected and what came",
+TEST_CASE("EventEstimatorConfig: a NaN in any of its fields is refused by name, with what was expected and what came",
           "[robustness]") {
   CHECK(leaf_count() == 39);
   for (std::size_t leaf = 0; leaf < leaf_count(); ++leaf) {
@@ -98,7 +98,7 @@ TEST_CASE("EstimatorConfig: a NaN in any of its fields is refused by name, with 
   }
 }
 
-TEST_CASE("EstimatorConfig: whatever else a field may hold, it is refused by name or works", "[robustness]") {
+TEST_CASE("EventEstimatorConfig: whatever else a field may hold, it is refused by name or works", "[robustness]") {
   for (const double value : {kInfinity, -kInfinity, -1.0, 0.0, 1e-310, 1e300}) {
     for (std::size_t leaf = 0; leaf < leaf_count(); ++leaf) {
       std::string field;
@@ -108,6 +108,66 @@ TEST_CASE("EstimatorConfig: whatever else a field may hold, it is refused by nam
       // Where the value is too much for the window that has to hold it, either of the two may be named.
       const bool named = message.find("::" + field) != std::string::npos;
       CHECK((named || message.find("SampleWindowConfig::duration") != std::string::npos));
+    }
+  }
+}
+
+/// All numbers of the tracker's settings; `observer_bandwidth` may be 0.
+std::vector<Leaf> leaves_of(rme::EstimatorConfig<double, 7>& c) {
+  if (!c.arm) c.arm = rme::ArmPrior<double, 7>::of(3);
+  if (!c.payload) c.payload = rme::PayloadPrior<double>::of(3);
+  auto& arm = *c.arm;
+  auto& payload = *c.payload;
+  const auto sign = [&c](double x) { c.torque_sign = static_cast<rme::TorqueSign>(std::abs(x) < 1e9 ? int(x) : 0); };
+  return {{"EstimatorConfig::gravity", [&](double x) { c.gravity[1] = x; }},
+          {"EstimatorConfig::torque_sign", sign},
+          {"EstimatorConfig::rated_payload", [&](double x) { c.rated_payload = x; }},
+          {"EstimatorConfig::observer_bandwidth", [&](double x) { c.observer_bandwidth = x; }},
+          {"ArmPrior::noise", [&](double x) { arm.noise[1] = x; }},
+          {"ArmPrior::offset", [&](double x) { arm.offset[6] = x; }},
+          {"ArmPrior::residual", [&](double x) { arm.residual[1] = x; }},
+          {"ArmPrior::coulomb", [&](double x) { arm.coulomb[0] = x; }},
+          {"ArmPrior::viscous", [&](double x) { arm.viscous[1] = x; }},
+          {"PayloadPrior::mass_mean", [&](double x) { payload.mass_mean = x; }},
+          {"PayloadPrior::mass_std", [&](double x) { payload.mass_std = x; }},
+          {"PayloadPrior::com_mean", [&](double x) { payload.com_mean[1] = x; }},
+          {"PayloadPrior::com_std", [&](double x) { payload.com_std[2] = x; }}};
+}
+
+TEST_CASE("EstimatorConfig: whatever a field may hold, it is refused by name or works", "[robustness]") {
+  const double dt = 0.01;  // few ticks
+  for (const double value : {kNan, kInfinity, -kInfinity, -1.0, 0.0, 1e-310, 1e-30, 1e-3, 1e5, 1e300}) {
+    rme::EstimatorConfig<double, 7> config;
+    const std::size_t count = leaves_of(config).size();
+    for (std::size_t leaf = 0; leaf < count; ++leaf) {
+      rme::EstimatorConfig<double, 7> changed;
+      const auto leaves = leaves_of(changed);
+      leaves[leaf].set(value);
+      const std::string& field = leaves[leaf].field;
+      CAPTURE(field, value);
+      try {
+        rme::Estimator<double, 7> estimator(dt, changed);
+        CHECK(std::isfinite(value));
+        HeldArm arm(41);
+        for (int k = 0; k < 1000; ++k) {
+          if (k == 500) arm.hold({1.1, {0.05, 0.02, 0.13}});
+          const auto& tick = arm.tick();
+          if (k % 10 != 0) continue;
+          REQUIRE(estimator.update(tick) == rme::Status::Ok);
+          REQUIRE(estimator.compensation(tick.jacobian, tick.rotation).allFinite());
+          REQUIRE(estimator.state().payload.mean.allFinite());
+          REQUIRE(estimator.state().payload.covariance.allFinite());
+          REQUIRE(estimator.state().payload.mean[0] >= 0);
+        }
+      } catch (const std::invalid_argument& error) {
+        // A rated payload below the mass that is said to be likely is refused by the other's name.
+        const std::string message = error.what();
+        const bool named = message.find(field) != std::string::npos ||
+                           (leaf == 2 && message.find("PayloadPrior::mass_mean") != std::string::npos);
+        CAPTURE(message);
+        CHECK(named);
+        CHECK_THAT(message, contains(": expected ") && contains(", got "));
+      }
     }
   }
 }
@@ -132,6 +192,7 @@ TEST_CASE("Settings: what a loop is made of refuses numbers out of range by name
   check_refused("CompensationRamp::period", not_positive, [](double x) { rme::CompensationRamp<double, 7>{x}; });
   check_refused("EnergyTank::period", not_positive, [](double x) { rme::EnergyTank<double>{x}; });
   check_refused("PassivityMonitor::period", not_positive, [](double x) { rme::PassivityMonitor<double>{x}; });
+  check_refused("Estimator::dt", not_positive, [](double x) { rme::EventEstimator<double, 7>{x}; });
   check_refused("Estimator::dt", not_positive, [](double x) { rme::Estimator<double, 7>{x}; });
 
   check_refused("MomentumObserverConfig::gain", not_positive, [](double x) {

@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <limits>
 #include <random>
-#include <rme/estimator.hpp>
+#include <rme/event_estimator.hpp>
 
 #include "io/program.hpp"
 #include "support/allocation_count.hpp"
@@ -35,7 +35,7 @@ constexpr const char* kUsage =
 
 Exit codes: 0 all is as it should be; 1 not; 2 unusable arguments.
 )";
-using Estimator = rme::Estimator<double, 7>;
+using Estimator = rme::EventEstimator<double, 7>;
 using Tick = rme::Proprioception<double, 7>;
 using Estimate = rme::Estimate<double>;
 

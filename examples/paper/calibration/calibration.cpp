@@ -97,10 +97,10 @@ Options parse(Arguments& arguments) {
 }
 
 /// One estimator for each preset.
-std::vector<rme::EstimatorConfig<double, 7>> configurations(const Options& options, bool friction_shows) {
-  std::vector<rme::EstimatorConfig<double, 7>> configs;
+std::vector<rme::EventEstimatorConfig<double, 7>> configurations(const Options& options, bool friction_shows) {
+  std::vector<rme::EventEstimatorConfig<double, 7>> configs;
   for (const std::string& preset : options.presets) {
-    rme::EstimatorConfig<double, 7> config;
+    rme::EventEstimatorConfig<double, 7> config;
     if (preset == "link_side" || (preset == "matching" && !friction_shows))
       config.sensors = {rme::SensorModel<double, 7>::link_side()};
     else if (preset != "unknown")

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <random>
 #include <rme/control/compensation.hpp>
-#include <rme/estimator.hpp>
+#include <rme/event_estimator.hpp>
 #include <stdexcept>
 #include <synthetic_arm/panda.hpp>
 #include <synthetic_arm/pose_impedance.hpp>
@@ -72,10 +72,11 @@ struct Answer {
 template <typename PriorSource = FixedPrior<double>>
 class Host {
  public:
-  Host(const Draw& draw, const std::vector<EstimatorConfig<double, 7>>& configs)
+  Host(const Draw& draw, const std::vector<EventEstimatorConfig<double, 7>>& configs)
       : Host(draw, configs, std::vector<PriorSource>(configs.size())) {}
   /// @param priors  one for each estimator
-  Host(const Draw& draw, const std::vector<EstimatorConfig<double, 7>>& configs, const std::vector<PriorSource>& priors)
+  Host(const Draw& draw, const std::vector<EventEstimatorConfig<double, 7>>& configs,
+       const std::vector<PriorSource>& priors)
       : arm_(panda(), draw.arm, draw.start),
         controller_(panda(), draw.target),
         ramp_(kPeriod),
@@ -110,7 +111,7 @@ class Host {
   SyntheticArm<7> arm_;
   PoseImpedance<7> controller_;
   CompensationRamp<double, 7> ramp_;
-  std::vector<Estimator<double, 7, PriorSource>> estimators_;
+  std::vector<EventEstimator<double, 7, PriorSource>> estimators_;
   std::vector<std::vector<Answer>> answers_;
 };
 

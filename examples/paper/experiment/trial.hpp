@@ -1,7 +1,7 @@
 #pragma once
 /// One run of an experiment: an arm under CPIC whose host runs the estimator, tick after tick.
 #include <cpic_host/host.hpp>
-#include <rme/estimator.hpp>
+#include <rme/event_estimator.hpp>
 #include <synthetic_arm/panda.hpp>
 
 #include "paper/experiment/setup.hpp"
@@ -11,7 +11,7 @@ namespace rme::examples {
 class Trial {
  public:
   using Vector = JointVector<double, 7>;
-  using Estimator = rme::Estimator<double, 7>;
+  using Estimator = rme::EventEstimator<double, 7>;
 
   /// @param compensate  whether the estimate reaches the controller
   Trial(const SyntheticArmConfig<7>& arm_config, const HostConfig& host_config, const Vector& start, bool compensate,

@@ -16,15 +16,15 @@
 #include <string>
 #include <vector>
 
+#include "event_replay/options.hpp"
 #include "io/program.hpp"
 #include "paper/calibration/scores.hpp"
 #include "paper/injection/payload_injection.hpp"
-#include "replay_log/options.hpp"
 
 namespace {
 
 using namespace rme::examples;
-using Config = rme::EstimatorConfig<double, 7>;
+using Config = rme::EventEstimatorConfig<double, 7>;
 
 constexpr const char* kUsage =
     R"(usage: rme_injection LOG.csv[.gz] [options]
@@ -32,7 +32,7 @@ constexpr const char* kUsage =
 Adds payloads to a log in which the hand is empty, and says how good and how honest the estimates are.
 
   --windows N         instants at which a payload is added, in turn (default 100)
-  --config C.json     settings of the estimator (rme/estimator_json.hpp), as identify_noise measures them
+  --config C.json     settings of the estimator (rme/event_estimator_json.hpp), as identify_noise measures them
   --preset NAME       sensing of the arm: unknown (default), link_side, joint_friction
   --span T0:T1        only what the log holds of [T0, T1) [s]
   --seed N            of everything random (default 1)
@@ -147,7 +147,7 @@ void write_csv(const std::filesystem::path& folder, const std::vector<Table>& ta
 
 /// What the detector finds in the log as it is.
 void print_false_estimates(const Options& options, const Recording& recording) {
-  rme::Estimator<double, 7> estimator(recording.dt, options.config);
+  rme::EventEstimator<double, 7> estimator(recording.dt, options.config);
   int estimates = 0, rejected = 0;
   for (const auto& tick : recording.ticks) {
     if (estimator.update(tick) != rme::Status::Ok) continue;

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <rme/estimator.hpp>
+#include <rme/event_estimator.hpp>
 #include <rme/inference/payload_regressor.hpp>
 #include <vector>
 
+#include "event_replay/replay.hpp"
 #include "paper/calibration/scores.hpp"
-#include "replay_log/replay.hpp"
 
 namespace rme::examples {
 
@@ -70,14 +70,14 @@ struct Outcome {
 /// comes out if the torque is taken off the measured one.
 /// @param before, after  how long it is played before and after the instant [s]
 /// @param known          whether the host tells the estimator the instant
-inline Outcome estimate_injected(const Recording& recording, const EstimatorConfig<double, 7>& config,
+inline Outcome estimate_injected(const Recording& recording, const EventEstimatorConfig<double, 7>& config,
                                  const Injected& injected, double before, double after, bool known) {
   const double dt = recording.dt;
   const double blend = config.window.observer_bandwidth > 0 ? config.window.observer_bandwidth * dt : 1;
   const auto ticks_before = static_cast<std::size_t>(before / dt), ticks_after = static_cast<std::size_t>(after / dt);
   const std::size_t first = injected.row - std::min(injected.row, ticks_before);
   const std::size_t end = std::min(recording.ticks.size(), injected.row + ticks_after);
-  Estimator<double, 7> estimator(dt, config);
+  EventEstimator<double, 7> estimator(dt, config);
   JointVector<double, 7> seen = JointVector<double, 7>::Zero();  // of the payload, by the observer
   Outcome out;
   for (std::size_t i = first; i < end; ++i) {

@@ -155,7 +155,7 @@ std::optional<DataSet> simulate(const Options& options, std::size_t run) {
   std::vector<AblationPrior> priors;
   for (const Prior kind : {kNetwork, kZero, kFixed}) priors.emplace_back(kind, options.network, records[kind]);
   // How good the estimates are is the question, not whether this is a payload: next to no push is expected.
-  rme::EstimatorConfig<double, 7> config;
+  rme::EventEstimatorConfig<double, 7> config;
   config.push = {1e-3, 1e-3};
   config.refresh = 0;  // early estimates of one prior would move the arm while all of them listen
   Host<AblationPrior> host(draw, std::vector(kPriors, config), priors);

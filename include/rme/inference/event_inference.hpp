@@ -116,7 +116,7 @@ EventInference<Scalar, Dofs>::EventInference(Scalar dt, const std::vector<Sensor
                                              const PushPrior& push, const VariationalInferenceConfig& config,
                                              bool learn_noise)
     : dt_(dt), sensors_(sensors), nuisances_(sensors.size()), push_(push), config_(config), learn_noise_(learn_noise) {
-  detail::require(!sensors.empty() && sensors.size() <= kMaxSensors, "EstimatorConfig::sensors", "one to four",
+  detail::require(!sensors.empty() && sensors.size() <= kMaxSensors, "EventEstimatorConfig::sensors", "one to four",
                   sensors.size());
   for (const auto& sensor : sensors) {
     sensor.validate();

@@ -40,7 +40,7 @@ struct NetworkPriorConfig {
 /// and a window that is foreign to the network is recognised, and the fixed prior used instead.
 ///
 ///     const auto network = std::make_unique<MismatchNetwork<float>>(model.weights);  // must outlive the estimator
-///     Estimator<double, 7, NetworkPrior<double>> estimator(0.001, {}, NetworkPrior<double>(*network, 0.001));
+///     EventEstimator<double, 7, NetworkPrior<double>> estimator(0.001, {}, NetworkPrior<double>(*network, 0.001));
 ///
 /// @tparam NetworkScalar  of the network. Weights are learned in float, and a network in float serves an estimator in
 ///                        double as well as one in double would, in half the time and half the memory

@@ -20,6 +20,9 @@ struct Proprioception {
   /// How the flange has moved over the period that ends now, from a host that knows better than the differences of
   /// J dq, which are taken otherwise.
   std::optional<FlangeMotion<Scalar>> motion = std::nullopt;
+  /// Time since the sample before [s], where the host measures it: samples that got lost are time that passed. 0 is the
+  /// nominal period.
+  double period = 0;
 };
 
 /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; NotARotation if R^T R is further than 1e-3
@@ -32,6 +35,7 @@ Status check(const Proprioception<Scalar, Dofs>& sample) noexcept {
   if (sample.motion && !(plausible(sample.motion->angular_velocity) && plausible(sample.motion->linear_acceleration) &&
                          plausible(sample.motion->angular_acceleration)))
     return Status::NonFiniteInput;
+  if (!(sample.period >= 0 && sample.period <= kLargestPlausible)) return Status::NonFiniteInput;
   const Matrix3<Scalar>& R = sample.rotation;
   const Scalar error = (R.transpose() * R - Matrix3<Scalar>::Identity()).cwiseAbs().maxCoeff();
   if (!(error < Scalar(1e-3)) || !(R.col(0).cross(R.col(1)).dot(R.col(2)) > 0)) return Status::NotARotation;

@@ -1,12 +1,18 @@
 #pragma once
 // As much of libfranka as the snippets of docs/embedding.md use, by its names and signatures. The arm behind Robot is
-// the one that a test hands in through `simulation`.
+// the one that a test hands in through `simulation`. What the robot refuses throws.
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <synthetic_arm/panda.hpp>
 
 namespace franka {
+
+struct CommandException : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 class Duration {
  public:
@@ -64,23 +70,35 @@ class Robot {
     std::function<RobotState()> read;
     std::function<void(const Torques&)> command;
     std::function<void(double, const Eigen::Vector3d&, const Eigen::Matrix3d&)> set_load;
+    std::function<std::uint64_t()> lost = [] { return std::uint64_t{0}; };  // packets, before this one
   };
   explicit Robot(const Simulation& simulation) : simulation_(simulation) {}
 
   void control(std::function<Torques(const RobotState&, Duration)> control_callback) {
-    for (std::uint64_t period = 0;; period = 1) {  // the first call's is zero
-      const Torques torques = control_callback(simulation_.read(), Duration(period));
+    running_ = true;
+    for (bool first = true;; first = false) {  // the first call's Duration is zero
+      const std::uint64_t lost = simulation_.lost();
+      const Torques torques = control_callback(simulation_.read(), Duration(first ? 0 : 1 + lost));
+      for (const double tau : torques.tau_J)
+        if (!std::isfinite(tau)) throw std::invalid_argument("Commanding value is infinite or NaN.");
       simulation_.command(torques);
-      if (torques.motion_finished) return;
+      if (torques.motion_finished) break;
     }
+    running_ = false;
   }
+  /// @param F_x_Cload     centre of mass, flange axes [m]
+  /// @param load_inertia  about the centre of mass, flange axes, column-major [kg m^2]
   void setLoad(double load_mass, const std::array<double, 3>& F_x_Cload, const std::array<double, 9>& load_inertia) {
-    simulation_.set_load(load_mass, Eigen::Map<const Eigen::Vector3d>(F_x_Cload.data()),
-                         Eigen::Map<const Eigen::Matrix3d>(load_inertia.data()));
+    const Eigen::Map<const Eigen::Matrix3d> inertia(load_inertia.data());
+    if (running_) throw CommandException("libfranka: set_load command rejected: command not possible in current mode");
+    if (load_mass < 0 || !inertia.isApprox(inertia.transpose()) || !(inertia.determinant() >= 0))
+      throw CommandException("libfranka: set_load command rejected: invalid argument");
+    simulation_.set_load(load_mass, Eigen::Map<const Eigen::Vector3d>(F_x_Cload.data()), inertia);
   }
 
  private:
   Simulation simulation_;
+  bool running_ = false;
 };
 
 }  // namespace franka

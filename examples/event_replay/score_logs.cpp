@@ -15,8 +15,8 @@
 #include <limits>
 #include <optional>
 
+#include "event_replay/options.hpp"
 #include "io/program.hpp"
-#include "replay_log/options.hpp"
 
 namespace {
 

@@ -1,0 +1,37 @@
+#pragma once
+/// All that a host can read of an Estimator, as one plain struct.
+#include <rme/core/payload.hpp>
+#include <rme/core/types.hpp>
+#include <rme/inference/payload_gaussian.hpp>
+#include <rme/tracking/event_monitor.hpp>
+#include <rme/tracking/hypothesis.hpp>
+#include <rme/tracking/payload_belief.hpp>
+
+namespace rme {
+
+/// What is believed now. Times count from the estimator's construction or reset [s].
+template <typename Scalar>
+struct EstimatorState {
+  double time = 0;     ///< of the last sample
+  double updated = 0;  ///< up to when samples are in what is believed: a block and its computation ago
+  /// Mass and centre of mass of all that is in the hand [kg, m, m, m], end-effector axes. While the hand is believed to
+  /// be empty, the centre of mass is zero, with the prior's deviations.
+  PayloadGaussian<Scalar> payload;
+  /// The ten inertial parameters (inertial_parameters.hpp) with their covariance, given that something is held.
+  InertialGaussian<Scalar> inertial;
+  PerHypothesis<Scalar> probability = {{Scalar(1)}};  ///< of what is going on, sum one; an empty hand at first
+  /// How far to trust `payload`, 0 to 1: m^2 / (m^2 + std^2), and less the more is unexplained.
+  Scalar confidence = Scalar(0);
+  /// Normalised innovation squared over the last second: 1 if the arm does what its model and this payload say, above
+  /// 10 if not; 100 at most.
+  Scalar health = Scalar(1);
+  Scalar friction_shows = Scalar(0);            ///< probability that tau_ext holds joint friction
+  bool changing = false;                        ///< an event is going on
+  double change_onset = 0, change_noticed = 0;  ///< of the event that is going on
+  Event event;                                  ///< the last one that is over
+
+  /// Whether nothing is in the hand, as far as the torque can tell.
+  bool empty() const noexcept { return probability[Hypothesis::Empty] > Scalar(0.5); }
+};
+
+}  // namespace rme

@@ -1,0 +1,26 @@
+#pragma once
+/// In a network's place: always the same guess.
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+#include <rme/network/architecture.hpp>
+#include <rme/network/weights.hpp>
+
+namespace rme {
+
+/// A network that says the same to every window. At zero it is the paper's ablation (Appendix D, Figure 10),
+/// mu_prior = 0 in place of mu_prior = f_nn.
+template <typename Scalar>
+struct FixedGuess {
+  using Window = Eigen::Matrix<Scalar, PublishedArchitecture::kSamples, PublishedArchitecture::kChannels>;
+  using Output = Vector4<Scalar>;
+
+  Output theta = Output::Zero();  ///< (m [kg], r_x, r_y, r_z [m]), end-effector axes, finite
+
+  InputFrame frame() const noexcept { return InputFrame::World; }
+  Status forward(const Window& /*window*/, Output& out) const noexcept {
+    out = theta;
+    return Status::Ok;
+  }
+};
+
+}  // namespace rme

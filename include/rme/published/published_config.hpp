@@ -1,0 +1,65 @@
+#pragma once
+/// Settings of the published pipeline.
+#include <cmath>
+#include <rme/core/plausible.hpp>
+#include <rme/core/require.hpp>
+#include <rme/core/types.hpp>
+#include <rme/inference/published_likelihood.hpp>
+#include <rme/inference/stochastic_vi.hpp>
+#include <rme/sensing/mismatch_detector.hpp>
+
+namespace rme {
+
+/// Settings of PublishedPipeline; the defaults are the published ones.
+template <typename Scalar>
+struct PublishedPipelineConfig {
+  MismatchDetectorConfig detector = MismatchDetectorConfig::published();  ///< of ||tau_ext||_2
+  double collection = 0.2;        ///< how long samples are gathered after the detection [s]: M to 1e6 samples
+  Scalar damping = Scalar(0.01);  ///< lambda of the pseudo-wrenches that the network sees, > 0
+  /// Of the prior around the network's output (m [kg], r_x, r_y, r_z [m]), each > 0.
+  Vector4<Scalar> standard_deviation = {Scalar(0.5), Scalar(0.02), Scalar(0.02), Scalar(0.05)};
+  PublishedLikelihoodConfig likelihood;
+  StochasticViConfig inference;
+  Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
+
+  /// All but the detector's settings, which the detector checks.
+  /// @param dt  control period [s]
+  /// @throws std::invalid_argument naming the field out of range
+  void validate(double dt) const;
+};
+
+template <typename Scalar>
+void PublishedPipelineConfig<Scalar>::validate(double dt) const {
+  using detail::require;
+  using detail::require_positive;
+  require_positive(dt, "PublishedPipeline::dt", "> 0 s");
+  require(collection / dt >= 1 && collection / dt < 1e6, "PublishedPipelineConfig::collection", "1 to 1e6 samples",
+          collection / dt);
+  require_positive(damping, "PublishedPipelineConfig::damping", "> 0");
+  for (int i = 0; i < 4; ++i)
+    require_positive(standard_deviation[i], "PublishedPipelineConfig::standard_deviation", "> 0");
+  require(plausible(gravity) && gravity.norm() > 0, "PublishedPipelineConfig::gravity", "finite and not zero",
+          gravity.norm());
+
+  const PublishedLikelihoodConfig& l = likelihood;
+  require(l.samples >= 2 && l.samples <= 1000, "PublishedLikelihoodConfig::samples", "2 to 1000", l.samples);
+  require(l.range_share >= 0 && std::isfinite(l.range_share), "PublishedLikelihoodConfig::range_share", ">= 0",
+          l.range_share);
+  require_positive(l.least_sigma, "PublishedLikelihoodConfig::least_sigma", "> 0 N m");
+
+  const StochasticViConfig& vi = inference;
+  constexpr int kMost = 1000000000;  // two of them add up without overflow
+  require_positive(vi.learning_rate, "StochasticViConfig::learning_rate", "> 0");
+  require(vi.gradient_norm > 0, "StochasticViConfig::gradient_norm", "> 0, or infinity", vi.gradient_norm);
+  require(vi.max_steps >= 1 && vi.max_steps <= kMost, "StochasticViConfig::max_steps", "1 to 1e9", vi.max_steps);
+  require(vi.first_check >= 0, "StochasticViConfig::first_check", ">= 0", vi.first_check);
+  require(vi.check_interval >= 1 && vi.check_interval <= kMost, "StochasticViConfig::check_interval", "1 to 1e9",
+          vi.check_interval);
+  require(vi.small_change >= 0, "StochasticViConfig::small_change", ">= 0", vi.small_change);
+  require(vi.small_changes >= 1, "StochasticViConfig::small_changes", ">= 1", vi.small_changes);
+  for (const double deviation : vi.initial_deviation)
+    require_positive(deviation, "StochasticViConfig::initial_deviation", "> 0");
+  require(vi.evidence_draws >= 1, "StochasticViConfig::evidence_draws", ">= 1", vi.evidence_draws);
+}
+
+}  // namespace rme

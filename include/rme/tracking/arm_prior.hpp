@@ -1,0 +1,74 @@
+#pragma once
+/// What is believed of an arm and of what it may pick up, before the first sample.
+#include <cmath>
+#include <cstdint>
+#include <rme/core/types.hpp>
+#include <rme/inference/payload_gaussian.hpp>
+#include <rme/tracking/inertial_parameters.hpp>
+
+namespace rme {
+
+/// What kind of torque sensing an arm has; the tracker finds out which, and remembers it.
+enum class Sensing : std::uint8_t {
+  LinkSide,       ///< behind the gears: the sensor sees no friction
+  JointFriction,  ///< joint friction shows in tau_ext
+};
+
+/// Priors over the joints' nuisances, per joint. An arm's torques grow with what it lifts, so that one number scales
+/// them: the defaults are what a Panda (3 kg) shows, times rated_payload / 3 kg; the last three joints, the wrist's,
+/// have 0.4 of the others'.
+template <typename Scalar, int Dofs>
+struct ArmPrior {
+  using Vector = JointVector<Scalar, Dofs>;
+  Vector noise;     ///< standard deviation of a block's mean torque: where its learning begins [N m]
+  Vector offset;    ///< standard deviation of the torque sensor's offset [N m]
+  Vector residual;  ///< relative sizes of the rigid-body model's residual; their common scale is learned
+  Vector coulomb;   ///< Coulomb friction to expect, give or take half of it [N m]
+  Vector viscous;   ///< viscous friction to expect, give or take half of it [N m s/rad]
+
+  static ArmPrior of(Scalar rated_payload) noexcept {
+    Vector share = Vector::Ones();
+    for (int j = Dofs > 3 ? Dofs - 3 : 0; j < Dofs; ++j) share[j] = Scalar(0.4);
+    share *= rated_payload / Scalar(3);
+    return {Scalar(0.03) * share, Scalar(0.15) * share, share, Scalar(0.2) * share, Scalar(0.1) * share};
+  }
+};
+
+/// What a hand may pick up: N over phi.
+template <typename Scalar>
+struct PayloadPrior {
+  Scalar mass_mean, mass_std;         ///< [kg]
+  Vector3<Scalar> com_mean, com_std;  ///< [m], end-effector axes, from the end-effector origin
+
+  /// A quarter of the rated payload, give or take a third; 10 cm ahead of the flange and near its axis.
+  static PayloadPrior of(Scalar rated_payload) noexcept {
+    return {Scalar(0.25) * rated_payload, Scalar(0.3) * rated_payload, Vector3<Scalar>(0, 0, Scalar(0.1)),
+            Vector3<Scalar>(Scalar(0.06), Scalar(0.06), Scalar(0.07))};
+  }
+
+  InertialVector<Scalar> mean() const noexcept {
+    InertialVector<Scalar> phi = InertialVector<Scalar>::Zero();
+    phi[0] = mass_mean;
+    phi.template segment<3>(1) = mass_mean * com_mean;
+    return phi;
+  }
+  /// Covariance of phi, lower triangular factor. The moments of m r for a mass that is known roughly: with r
+  /// independent of m, cov(m, m r) = r0 var(m) and cov(m r) = r0 r0^T var(m) + Sigma_r E[m^2]; of E[m^2] a better
+  /// guess than the prior's is wanted, or the centre of mass of a light object would be all but free.
+  /// @param square_mass  E[m^2] [kg^2], > 0
+  InertialMatrix<Scalar> factor(Scalar square_mass) const noexcept {
+    using std::sqrt;
+    const Scalar mass = sqrt(square_mass);
+    InertialMatrix<Scalar> L = InertialMatrix<Scalar>::Zero();
+    L(0, 0) = mass_std;
+    L.template block<3, 1>(1, 0) = com_mean * mass_std;
+    for (int i = 0; i < 3; ++i) L(1 + i, 1 + i) = com_std[i] * mass;
+    // Of m (|r|^2 - ...) with |r| up to twice its prior's spread.
+    const Scalar arm = com_mean.squaredNorm() + com_std.squaredNorm();
+    for (int i = 4; i < kInertial; ++i) L(i, i) = mass * arm;
+    return L;
+  }
+  Scalar square_mass() const noexcept { return mass_mean * mass_mean + mass_std * mass_std; }
+};
+
+}  // namespace rme

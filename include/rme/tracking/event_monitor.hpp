@@ -1,0 +1,134 @@
+#pragma once
+/// What happened, told from how the hypotheses' probabilities went.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <rme/core/types.hpp>
+#include <rme/tracking/hypothesis.hpp>
+
+namespace rme {
+
+/// What an event was.
+enum class EventKind : std::uint8_t {
+  None,       ///< nothing has happened yet
+  Attached,   ///< something is in a hand that was empty
+  Exchanged,  ///< it is heavier or lighter than before
+  Removed,    ///< the hand is empty again
+  Filling,    ///< its mass has drifted
+  Pushed,     ///< something pushed; what is held is what it was
+};
+
+constexpr const char* to_string(EventKind kind) noexcept {
+  switch (kind) {
+    case EventKind::None:
+      return "none";
+    case EventKind::Attached:
+      return "attached";
+    case EventKind::Exchanged:
+      return "exchanged";
+    case EventKind::Removed:
+      return "removed";
+    case EventKind::Filling:
+      return "filling";
+    case EventKind::Pushed:
+      return "pushed";
+  }
+  return "unknown";
+}
+
+/// The last event that is over. Times count from the estimator's construction or reset [s].
+struct Event {
+  int number = 0;                    ///< events that are over; 0 before the first
+  EventKind kind = EventKind::None;  ///< what it was
+  double onset = 0;                  ///< when it began, to within a block
+  double noticed = 0;                ///< when that was known
+  double over = 0;                   ///< when it was over
+};
+
+/// Watches the likeliest hypothesis. A change is going on while that is an exchange, a push or filling, and is over
+/// once an empty hand or a steady payload has been likeliest for a tenth of a second; an exchange whose payload has
+/// been known for longer than 0.4 s is over as well, whatever still drifts.
+template <typename Scalar>
+class EventMonitor {
+ public:
+  /// Takes in what is believed after a block.
+  /// @param begin, end  of the block [s]
+  /// @param now         when this is known [s]
+  /// @param mass        that is believed to be held [kg]
+  /// @param deviation   of it [kg]
+  void update(const PerHypothesis<Scalar>& probability, double begin, double end, double now, Scalar mass,
+              Scalar deviation) noexcept {
+    Hypothesis likeliest = Hypothesis::Empty;
+    for (std::size_t i = 1; i < kHypotheses; ++i)
+      if (probability.values[i] > probability[likeliest]) likeliest = static_cast<Hypothesis>(i);
+    const bool empty = likeliest == Hypothesis::Empty, steady = likeliest == Hypothesis::Steady;
+    const bool settled = empty || steady;
+    if (!changing_) {
+      if (settled && empty == was_empty_) {
+        mass_ = mass;
+        deviation_ = deviation;
+        return;
+      }
+      changing_ = true;
+      exchanged_ = pushed_ = filled_ = false;
+      onset_ = begin;
+      noticed_ = now;
+      quiet_ = 0;
+      exchanged_at_ = -1;
+    }
+    if (likeliest == Hypothesis::Exchanged || (settled && empty != was_empty_ && exchanged_at_ < 0)) {
+      exchanged_ = true;
+      exchanged_at_ = end;
+    }
+    pushed_ = pushed_ || likeliest == Hypothesis::Pushed;
+    filled_ = filled_ || likeliest == Hypothesis::Filling;
+    quiet_ = settled ? quiet_ + (end - begin) : 0;
+    const bool known = exchanged_ && likeliest != Hypothesis::Pushed && end - exchanged_at_ > kKnown;
+    if (quiet_ > kQuiet - 1e-9 || known) finish(empty, now, mass, deviation);
+  }
+  void reset() noexcept { *this = EventMonitor(); }
+
+  bool changing() const noexcept { return changing_; }
+  double onset() const noexcept { return onset_; }      ///< of the change that is going on [s]
+  double noticed() const noexcept { return noticed_; }  ///< of the same [s]
+  const Event& last() const noexcept { return last_; }
+  /// What is held from now on is what the host says; nothing has happened.
+  void believe(bool empty) noexcept {
+    changing_ = false;
+    was_empty_ = empty;
+  }
+
+ private:
+  static constexpr double kQuiet = 0.1;  // [s]
+  static constexpr double kKnown = 0.4;  // [s]
+
+  void finish(bool empty, double now, Scalar mass, Scalar deviation) noexcept {
+    using std::abs;
+    using std::sqrt;
+    changing_ = false;
+    EventKind kind = EventKind::None;
+    // Of the difference of two masses, one standard deviation.
+    const Scalar doubt = sqrt(deviation * deviation + deviation_ * deviation_);
+    if (empty != was_empty_)
+      kind = empty ? EventKind::Removed : EventKind::Attached;
+    else if (!empty && abs(mass - mass_) > std::max(3 * doubt, Scalar(0.02) * mass_))
+      kind = filled_ && !exchanged_ ? EventKind::Filling : EventKind::Exchanged;
+    else if (pushed_)
+      kind = EventKind::Pushed;
+    was_empty_ = empty;
+    if (kind != EventKind::Pushed) {
+      mass_ = mass;
+      deviation_ = deviation;
+    }
+    if (kind != EventKind::None) last_ = {last_.number + 1, kind, onset_, noticed_, now};
+  }
+
+  Event last_;
+  bool was_empty_ = true;
+  Scalar mass_ = Scalar(0), deviation_ = Scalar(0);  // before the change [kg]
+  // of the change that is going on
+  bool changing_ = false, exchanged_ = false, pushed_ = false, filled_ = false;
+  double onset_ = 0, noticed_ = 0, quiet_ = 0, exchanged_at_ = -1;
+};
+
+}  // namespace rme

@@ -1,0 +1,87 @@
+#pragma once
+/// Whether each joint rests, moves, or does both within a block, and what friction may do there.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <rme/core/types.hpp>
+#include <rme/tracking/star_gaussian.hpp>
+#include <rme/tracking/torque_block.hpp>
+
+namespace rme {
+
+/// Dry friction of one joint in one block.
+template <typename Scalar>
+struct JointFriction {
+  Scalar direction = Scalar(0);       ///< mean of sign(dq), 0 while it rests
+  Scalar resting = Scalar(1);         ///< share of the block that it rests
+  bool stops = false;                 ///< it has come to rest, having moved before
+  Scalar last_direction = Scalar(0);  ///< in which it moved last; 0 if it never has
+  bool steady() const noexcept { return resting == 1 || (resting == 0 && (direction == 1 || direction == -1)); }
+};
+
+/// Tells resting joints from moving ones. A joint moves if the mean of dq over a quarter of a block exceeds 1e-4 rad/s
+/// and three standard deviations of its noise, which is learned from second differences.
+template <typename Scalar, int Dofs>
+class FrictionRegime {
+ public:
+  void update(const TorqueBlock<Scalar, Dofs>& block) noexcept {
+    using std::abs;
+    using std::sqrt;
+    bool any_creeps = false;
+    for (int j = 0; j < Dofs; ++j) {
+      // Slowly, and with single large values cut: accelerations that change are no noise.
+      noise_[j] += Scalar(kBlend) * (std::min(block.velocity_noise[j], 25 * noise_[j] + Scalar(1e-8)) - noise_[j]);
+      const Scalar samples = std::max(Scalar(1), block.duration / (kBlockParts * Scalar(1e-3)));
+      const Scalar threshold = std::max(Scalar(kMoves), 3 * sqrt(noise_[j] / samples));
+      JointFriction<Scalar>& joint = joints_[static_cast<std::size_t>(j)];
+      const bool rested = joint_rests_[static_cast<std::size_t>(j)];
+      // Slow motion under noise shows over some blocks only.
+      slow_[j] += Scalar(kSlowBlend) * (block.velocity[j] - slow_[j]);
+      const Scalar slow_threshold = std::max(Scalar(kMoves), sqrt(noise_[j]) * Scalar(kSlowNoise));
+      const bool creeps = threshold > Scalar(kNoisy) && abs(slow_[j]) > slow_threshold;
+      any_creeps = any_creeps || creeps;
+      int moving = 0;
+      Scalar signs = Scalar(0);
+      for (int i = 0; i < kBlockParts; ++i) {
+        const Scalar part = block.velocities(j, i);
+        const Scalar v = abs(part) > threshold || !creeps ? part : slow_[j];
+        if (!(abs(part) > threshold) && !creeps) continue;
+        ++moving;
+        signs += v > 0 ? Scalar(1) : Scalar(-1);
+        joint.last_direction = v > 0 ? Scalar(1) : Scalar(-1);
+      }
+      joint.direction = signs / kBlockParts;
+      joint.resting = Scalar(1) - Scalar(moving) / kBlockParts;
+      const bool rests = !(abs(block.velocities(j, kBlockParts - 1)) > threshold) && !creeps;
+      joint.stops = rests && !rested;
+      joint_rests_[static_cast<std::size_t>(j)] = rests;
+    }
+    // Noise of dq alone is no motion: three deviations of what it leaves of the norm of a block's mean.
+    const Scalar noise = noise_.sum() / std::max(Scalar(1), block.duration / Scalar(1e-3));
+    arm_moves_ = any_creeps || block.velocity.norm() > std::max(Scalar(kArmMoves), 3 * sqrt(noise));
+  }
+  const JointFriction<Scalar>& joint(int j) const noexcept { return joints_[static_cast<std::size_t>(j)]; }
+  bool rests(int j) const noexcept { return joint_rests_[static_cast<std::size_t>(j)]; }
+  /// Variance of a sample of dq [(rad/s)^2].
+  const JointVector<Scalar, Dofs>& velocity_noise() const noexcept { return noise_; }
+  /// Whether any joint moves, so that what holds a resting one may change.
+  bool arm_moves() const noexcept { return arm_moves_; }
+
+  FrictionRegime() noexcept { joint_rests_.fill(true); }
+
+ private:
+  static constexpr double kMoves = 1e-4;     // [rad/s]
+  static constexpr double kArmMoves = 1e-3;  // norm of dq [rad/s]
+  static constexpr double kBlend = 0.02;     // of a block: a second of memory
+  std::array<JointFriction<Scalar>, static_cast<std::size_t>(Dofs)> joints_{};
+  std::array<bool, static_cast<std::size_t>(Dofs)> joint_rests_{};
+  static constexpr double kNoisy = 1e-3;            // threshold from which on slow motion is looked for [rad/s]
+  static constexpr double kSlowBlend = 0.2;         // of a block: a tenth of a second
+  static constexpr double kSlowNoise = 3 * 0.0745;  // three deviations of that average, of blocks of 20 samples
+  JointVector<Scalar, Dofs> slow_ = JointVector<Scalar, Dofs>::Zero();
+  JointVector<Scalar, Dofs> noise_ = JointVector<Scalar, Dofs>::Constant(Scalar(1e-8));
+  bool arm_moves_ = false;
+};
+
+}  // namespace rme

@@ -1,0 +1,56 @@
+#pragma once
+/// What may have happened to the payload in a block of samples.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace rme {
+
+/// Each is a filter over the same state; they differ in what may have happened (docs/theory.md, "Hypotheses").
+enum class Hypothesis : std::uint8_t {
+  Empty,      ///< nothing in the hand
+  Steady,     ///< the payload is what it was
+  Filling,    ///< its mass drifts
+  Exchanged,  ///< it is another one: attached, added to, taken off in part
+  Pushed,     ///< a wrench acts beside it
+};
+inline constexpr std::size_t kHypotheses = 5;
+
+/// The enumerator's name, for logs.
+constexpr const char* to_string(Hypothesis hypothesis) noexcept {
+  switch (hypothesis) {
+    case Hypothesis::Empty:
+      return "empty";
+    case Hypothesis::Steady:
+      return "steady";
+    case Hypothesis::Filling:
+      return "filling";
+    case Hypothesis::Exchanged:
+      return "exchanged";
+    case Hypothesis::Pushed:
+      return "pushed";
+  }
+  return "unknown";
+}
+
+/// A number for each hypothesis.
+template <typename Scalar>
+struct PerHypothesis {
+  std::array<Scalar, kHypotheses> values{};
+  Scalar& operator[](Hypothesis h) noexcept { return values[static_cast<std::size_t>(h)]; }
+  const Scalar& operator[](Hypothesis h) const noexcept { return values[static_cast<std::size_t>(h)]; }
+};
+
+/// P(this block's hypothesis | the last block's): rows from, columns to. Something happens once in 20 s; a hand-over is
+/// done within three blocks; a push lasts 0.7 s, pouring 1.3 s. The odds of what a block shows are tens of nats, so
+/// that none of these matters by a factor of two.
+inline constexpr std::array<std::array<double, kHypotheses>, kHypotheses> kTransitions = {{
+    // Empty  Steady  Filling Exchanged Pushed
+    {0.9978, 0, 0.0002, 0.001, 0.001},      // from Empty
+    {0.0003, 0.9967, 0.001, 0.001, 0.001},  // from Steady
+    {0.001, 0.010, 0.985, 0.002, 0.002},    // from Filling
+    {0.010, 0.29, 0.005, 0.69, 0.005},      // from Exchanged
+    {0.012, 0.012, 0.002, 0.003, 0.971},    // from Pushed
+}};
+
+}  // namespace rme

@@ -1,0 +1,389 @@
+#pragma once
+/// The interacting-multiple-model filter over the hypotheses, for one kind of torque sensing.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <rme/core/types.hpp>
+#include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/friction_regime.hpp>
+#include <rme/tracking/hypothesis.hpp>
+#include <rme/tracking/joint_torque_model.hpp>
+#include <rme/tracking/star_gaussian.hpp>
+#include <rme/tracking/torque_block.hpp>
+
+namespace rme {
+
+/// Five filters and their probabilities (Blom and Bar-Shalom, IEEE Trans. Automatic Control 1988; docs/theory.md,
+/// "Hypotheses"). A block is taken in by begin(), evaluate() of every hypothesis, finish(), in that order; they may be
+/// spread over several ticks, and until finish() everything else says what it said before.
+///
+/// Real time: no call allocates. evaluate() costs some 3,000 multiplications for 7 joints, twice that where hypotheses
+/// have to be mixed; a hypothesis that is out of the question costs nothing.
+template <typename Scalar, int Dofs>
+class HypothesisBank {
+ public:
+  using Star = StarGaussian<Scalar, Dofs>;
+
+  HypothesisBank(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm, const PayloadPrior<Scalar>& payload,
+                 Scalar rated_payload) noexcept;
+
+  /// Starts a block.
+  /// @param exchange_likely  the host says that the payload changes now
+  void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
+             bool exchange_likely) noexcept;
+  /// Mixes, predicts and updates one hypothesis, the one that comes `step`th, 0 .. kHypotheses - 1: first the likeliest
+  /// one that needs no event. If that explains the block, most others are out of the question.
+  void evaluate(std::size_t step) noexcept;
+  /// Ends a block: new probabilities, and what the noise has been learned to be.
+  /// @return log p(block | all blocks before) [nats], up to a constant that all banks share
+  Scalar finish() noexcept;
+
+  Scalar probability(Hypothesis h) const noexcept { return probability_[h]; }
+  const Star& star(Hypothesis h) const noexcept { return stars_[index(h)]; }
+  /// e^T S^-1 e per joint of the likeliest hypothesis that is neither an exchange nor a push, at the last block: 1 on
+  /// average if the arm does what the model says.
+  Scalar innovation_squared() const noexcept { return innovation_squared_; }
+  const SensorNoise<Scalar, Dofs>& noise() const noexcept { return model_.noise(); }
+
+  /// Believes that `h` is so, with the given odds against all else.
+  void believe(Hypothesis h, Scalar probability) noexcept;
+  /// What is held becomes N(mean, factor factor^T).
+  void set_payload(const InertialVector<Scalar>& mean, const InertialMatrix<Scalar>& factor) noexcept;
+  /// Forgets how sure the offsets were: what a host says of the payload may contradict them.
+  void reopen_offsets() noexcept;
+
+ private:
+  static constexpr std::size_t index(Hypothesis h) noexcept { return static_cast<std::size_t>(h); }
+  /// Of a hypothesis that enters another by less than this, nothing is mixed in.
+  static constexpr double kNegligible = 1e-4;
+
+  Star& next(Hypothesis h) noexcept { return next_[index(h)]; }
+  std::size_t likeliest() const noexcept {
+    const auto& p = probability_.values;
+    return static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
+  }
+  void mix(Hypothesis h) noexcept;
+  Scalar update(Star& star, bool learn) noexcept;
+  Scalar push_likelihood(const Star& star) noexcept;
+  void evaluate_exchange(Star& star) noexcept;
+  InertialMatrix<Scalar> filling(const Star& star) const noexcept;
+  /// log P(m is a mass that an arm can tell from nothing, and can hold) of a star.
+  Scalar log_plausible(const Star& star) const noexcept;
+  bool settled_explains() const noexcept;
+
+  JointTorqueModel<Scalar, Dofs> model_;
+  PayloadPrior<Scalar> payload_;
+  Scalar rated_;
+  std::array<Star, kHypotheses> stars_, next_;
+  Star before_;  // of the last block in which nothing happened
+  PerHypothesis<Scalar> probability_;
+
+  // of the block that is being taken in
+  PerHypothesis<Scalar> predicted_;   // probabilities before the block is looked at
+  PerHypothesis<Scalar> likelihood_;  // log p(block | hypothesis)
+  PerHypothesis<bool> in_question_;
+  PerHypothesis<Scalar> squared_;  // e^T S^-1 e per joint
+  PerHypothesis<JointVector<Scalar, Dofs>> innovation_, variance_;
+  bool exchange_likely_ = false;
+  Scalar innovation_squared_ = Scalar(1);
+};
+
+template <typename Scalar, int Dofs>
+HypothesisBank<Scalar, Dofs>::HypothesisBank(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm,
+                                             const PayloadPrior<Scalar>& payload, Scalar rated_payload) noexcept
+    : model_(sensing, arm, payload.com_mean.squaredNorm() + payload.com_std.squaredNorm()),
+      payload_(payload),
+      rated_(rated_payload) {
+  const Star star = model_.prior();
+  stars_.fill(star);
+  before_ = star;
+  for (const Hypothesis h : {Hypothesis::Steady, Hypothesis::Filling, Hypothesis::Exchanged})
+    stars_[index(h)].replace_payload(payload.mean(), payload.factor(payload.square_mass()));
+  // An arm is switched on with an empty hand, or else says so soon.
+  probability_.values = {Scalar(0.97), Scalar(0.01), Scalar(0.001), Scalar(0.009), Scalar(0.01)};
+}
+
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::believe(Hypothesis h, Scalar probability) noexcept {
+  if (h == Hypothesis::Empty) {  // of a hand that was long not empty, the filter for an empty one knows old offsets
+    before_ = stars_[likeliest()];
+    before_.empty_payload();
+    stars_[index(h)] = before_;
+  }
+  for (Scalar& p : probability_.values) p *= Scalar(1) - probability;
+  probability_[h] += probability;
+}
+
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::set_payload(const InertialVector<Scalar>& mean,
+                                               const InertialMatrix<Scalar>& factor) noexcept {
+  Star& steady = stars_[index(Hypothesis::Steady)];
+  steady = stars_[likeliest()];
+  steady.replace_payload(mean, factor);
+  before_ = steady;
+}
+
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::reopen_offsets() noexcept {
+  for (Star& star : stars_) model_.reopen_offset(star);
+}
+
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
+                                         const FrictionRegime<Scalar, Dofs>& regime, bool exchange_likely) noexcept {
+  model_.begin(block, regime);
+  exchange_likely_ = exchange_likely;
+  for (std::size_t to = 0; to < kHypotheses; ++to) {
+    Scalar sum = Scalar(0);
+    for (std::size_t from = 0; from < kHypotheses; ++from)
+      sum += static_cast<Scalar>(kTransitions[from][to]) * probability_.values[from];
+    predicted_.values[to] = sum;
+  }
+  if (exchange_likely) {  // as likely as all else
+    for (Scalar& p : predicted_.values) p *= Scalar(0.5);
+    predicted_[Hypothesis::Exchanged] += Scalar(0.5);
+  }
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    in_question_.values[i] = predicted_.values[i] > Scalar(1e-6);
+    squared_.values[i] = Scalar(1e6);
+  }
+}
+
+/// Whether the likeliest hypothesis explains the block well enough for all that are hundreds of times less likely
+/// beforehand, and have a prior of some dimensions to pay for, to be out of the question.
+template <typename Scalar, int Dofs>
+bool HypothesisBank<Scalar, Dofs>::settled_explains() const noexcept {
+  for (const Hypothesis h : {Hypothesis::Empty, Hypothesis::Steady})
+    if (in_question_[h] && predicted_[h] > Scalar(0.9) && squared_[h] < Scalar(1.5)) return true;
+  return false;
+}
+
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::evaluate(std::size_t step) noexcept {
+  const bool empty_first = predicted_[Hypothesis::Empty] > predicted_[Hypothesis::Steady];
+  const auto h = static_cast<Hypothesis>(step < 2 && !empty_first ? 1 - step : step);
+  if (!in_question_[h]) return;
+  if (step > 0 && !exchange_likely_ && predicted_[h] < Scalar(0.002) && settled_explains()) {
+    in_question_[h] = false;
+    return;
+  }
+  mix(h);
+  Star& star = next(h);
+  model_.predict(star);
+  switch (h) {
+    case Hypothesis::Empty:
+      likelihood_[h] = update(star, true);
+      break;
+    case Hypothesis::Filling:
+      star.diffuse(filling(star));
+      [[fallthrough]];
+    case Hypothesis::Steady:
+      likelihood_[h] = update(star, true);
+      likelihood_[h] += log_plausible(star);
+      break;
+    case Hypothesis::Exchanged:
+      evaluate_exchange(star);
+      break;
+    case Hypothesis::Pushed:
+      likelihood_[h] = push_likelihood(star);
+      break;
+  }
+}
+
+template <typename Scalar, int Dofs>
+Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
+  using std::exp;
+  using std::log;
+  Scalar highest = Scalar(-1e30);
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    in_question_.values[i] = in_question_.values[i] && std::isfinite(likelihood_.values[i]) && next_[i].finite();
+    if (in_question_.values[i]) highest = std::max(highest, likelihood_.values[i]);
+  }
+  Scalar total = Scalar(0);
+  PerHypothesis<Scalar> posterior;
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    if (!in_question_.values[i]) continue;
+    posterior.values[i] = predicted_.values[i] * exp(std::max(Scalar(-80), likelihood_.values[i] - highest));
+    total += posterior.values[i];
+  }
+  if (!(total > 0)) return Scalar(0);
+  Hypothesis settled = Hypothesis::Empty;
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    probability_.values[i] = posterior.values[i] / total;
+    if (in_question_.values[i]) stars_[i] = next_[i];
+  }
+  for (const Hypothesis h : {Hypothesis::Steady, Hypothesis::Filling})
+    if (in_question_[h] && (!in_question_[settled] || predicted_[h] > predicted_[settled])) settled = h;
+  innovation_squared_ = squared_[settled];
+  const Hypothesis sure =
+      probability_[Hypothesis::Empty] > probability_[Hypothesis::Steady] ? Hypothesis::Empty : Hypothesis::Steady;
+  if (probability_[sure] > Scalar(0.9)) {
+    before_ = stars_[index(sure)];
+    model_.learn(sure == Hypothesis::Empty, innovation_[sure], variance_[sure]);
+  } else {
+    model_.interrupt();
+  }
+  return highest + log(total);
+}
+
+/// What the filters said of the nuisances and the payload before this block, as far as each leads to `h`.
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
+  const bool anew = h == Hypothesis::Empty || h == Hypothesis::Exchanged;  // whatever the payload was before
+  std::array<Scalar, kHypotheses> weight{};
+  Scalar sum = Scalar(0);
+  std::size_t parts = 0, last = index(h);
+  for (std::size_t from = 0; from < kHypotheses; ++from) {
+    const Scalar w = static_cast<Scalar>(kTransitions[from][index(h)]) * probability_.values[from];
+    if (!(w > Scalar(kNegligible) * predicted_[h])) continue;
+    weight[from] = w;
+    sum += w;
+    last = from;
+    ++parts;
+  }
+  Star& out = next(h);
+  if (parts <= 1) {
+    out = h == Hypothesis::Pushed && static_cast<Hypothesis>(last) == Hypothesis::Exchanged ? before_ : stars_[last];
+    if (anew) out.empty_payload();
+    return;
+  }
+  std::array<const Star*, kHypotheses> from{};
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    weight[i] /= sum;
+    // An exchange that turns out to be a push was none: what was held before it is held still.
+    const bool was_none = h == Hypothesis::Pushed && static_cast<Hypothesis>(i) == Hypothesis::Exchanged;
+    from[i] = was_none ? &before_ : &stars_[i];
+  }
+  out = anew ? Star::mix_emptied(from, weight) : Star::mix(from, weight);
+}
+
+/// Takes the block in, joint by joint.
+/// @return log likelihood
+template <typename Scalar, int Dofs>
+Scalar HypothesisBank<Scalar, Dofs>::update(Star& star, bool learn) noexcept {
+  using std::exp;
+  using std::log;
+  const auto h = static_cast<std::size_t>(&star - next_.data());
+  const Scalar mass = std::min(std::max(star.mean()[0], Scalar(0)), rated_);
+  Scalar log_likelihood = Scalar(0), squared = Scalar(0);
+  for (int j = 0; j < Dofs; ++j) {
+    auto p = star.predict(j, model_.observation(j, mass));
+    const Scalar square = p.innovation * p.innovation;
+    const auto log_density = [square](Scalar variance) { return Scalar(-0.5) * (square / variance + log(variance)); };
+    if (const Scalar jump = model_.stiction_jump(j); jump > 0) {  // both, by their likelihoods
+      const Scalar stays = log_density(p.variance), jumps = log_density(p.variance + jump);
+      const Scalar share = Scalar(1) / (Scalar(1) + exp(std::min(Scalar(80), stays - jumps)));
+      log_likelihood += std::max(stays, jumps) + log(Scalar(1) + exp(-std::abs(stays - jumps)));
+      star.joint(j).covariance(kStiction, kStiction) += share * jump;
+      p = star.predict(j, model_.observation(j, mass));
+    } else {
+      log_likelihood += log_density(p.variance);
+    }
+    squared += square / p.variance;
+    if (learn) {
+      innovation_.values[h][j] = p.innovation;
+      variance_.values[h][j] = p.variance;
+    }
+    star.observe(j, p);
+  }
+  squared_.values[h] = squared / Scalar(Dofs);
+  return log_likelihood;
+}
+
+/// phi is drawn anew from the prior. How heavy it is, the block itself says best: once for the mass, and once more with
+/// the prior of m r that belongs to that mass.
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::evaluate_exchange(Star& star) noexcept {
+  const Hypothesis h = Hypothesis::Exchanged;
+  const Star base = star;
+  star.replace_payload(payload_.mean(), payload_.factor(payload_.square_mass()));
+  (void)update(star, false);
+  const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, star.mean()[0]));
+  star = base;
+  star.replace_payload(payload_.mean(), payload_.factor(mass * mass));
+  likelihood_[h] = update(star, false);
+  likelihood_[h] += log_plausible(star);
+}
+
+/// A push says nothing of the payload, and nothing is learned from the block: only how likely it is, with a wrench
+/// w ~ N(0, S) beside the payload, J^T S J more noise.
+template <typename Scalar, int Dofs>
+Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept {
+  using std::log;
+  using std::sqrt;
+  constexpr int n = Dofs;
+  Eigen::Matrix<Scalar, n, n> S;
+  JointVector<Scalar, Dofs> e, independent;
+  Eigen::Matrix<Scalar, n, kInertial> spread;
+  for (int j = 0; j < n; ++j) {
+    auto p = star.predict(j, model_.observation(j, star.mean()[0]));
+    e[j] = p.innovation;
+    independent[j] = p.given_payload;
+    spread.row(j) = p.spread.transpose();
+  }
+  const Scalar force = Scalar(4) * rated_, moment = Scalar(0.5) * rated_;  // [N], [N m]: 12 and 1.5 on a Panda
+  Vector6<Scalar> scale;
+  scale << force, force, force, moment, moment, moment;
+  const Eigen::Matrix<Scalar, n, 6> wrench = model_.block().jacobian.transpose() * scale.asDiagonal();
+  S = spread.lazyProduct(spread.transpose());
+  S += wrench.lazyProduct(wrench.transpose());
+  S.diagonal() += independent;
+  // log det and e^T S^-1 e by a Cholesky factorisation in place.
+  Scalar log_likelihood = Scalar(0), squared = Scalar(0);
+  for (int j = 0; j < n; ++j) {
+    const Scalar pivot = std::max(S(j, j) - S.row(j).head(j).squaredNorm(), model_.noise().variance(j) * Scalar(1e-3));
+    S(j, j) = sqrt(pivot);
+    for (int i = j + 1; i < n; ++i) S(i, j) = (S(i, j) - S.row(i).head(j).dot(S.row(j).head(j))) / S(j, j);
+    e[j] = (e[j] - S.row(j).head(j).dot(e.head(j))) / S(j, j);
+    squared += e[j] * e[j];
+    log_likelihood -= Scalar(0.5) * (e[j] * e[j] + log(pivot));
+  }
+  squared_[Hypothesis::Pushed] = squared / Scalar(n);
+  return log_likelihood;
+}
+
+/// Covariance of what is poured in within a block: any mass, with its centre about where the payload's is.
+template <typename Scalar, int Dofs>
+InertialMatrix<Scalar> HypothesisBank<Scalar, Dofs>::filling(const Star& star) const noexcept {
+  using std::sqrt;
+  constexpr double kRate = 0.0027;  // of the rated payload, in a block of 20 ms
+  const Scalar mass = Scalar(kRate) * rated_ * sqrt(model_.block().duration / Scalar(0.02));
+  Vector3<Scalar> com = payload_.com_mean;
+  if (star.mean()[0] > Scalar(0.007) * rated_) {
+    com = star.mean().template segment<3>(1) / star.mean()[0];
+    com = com.cwiseMax(payload_.com_mean - 3 * payload_.com_std).cwiseMin(payload_.com_mean + 3 * payload_.com_std);
+  }
+  InertialMatrix<Scalar> Q = InertialMatrix<Scalar>::Zero();
+  Q(0, 0) = mass * mass;
+  Q.template block<3, 1>(1, 0) = com * (mass * mass);
+  Q.template block<1, 3>(0, 1) = Q.template block<3, 1>(1, 0).transpose();
+  Q.template block<3, 3>(1, 1) = com * com.transpose() * (mass * mass);
+  for (int i = 0; i < 3; ++i) {
+    const Scalar spread = Scalar(0.3) * payload_.com_std[i] * mass;
+    Q(1 + i, 1 + i) += spread * spread;
+  }
+  if (star.mean()[0] > Scalar(0.02) * rated_) {
+    // As little as is known of where the payload's centre is, is known of what comes to it; block after block the same.
+    const Eigen::Matrix<Scalar, 4, 4> P = star.covariance().template topLeftCorner<4, 4>();
+    const Vector3<Scalar> slope = P.template bottomLeftCorner<3, 1>() / std::max(P(0, 0), Scalar(1e-12));
+    const Matrix3<Scalar> given_mass = P.template bottomRightCorner<3, 3>() - slope * P.template topRightCorner<1, 3>();
+    Q.template block<3, 3>(1, 1) += (Scalar(0.6) * mass / star.mean()[0]) * given_mass;
+  }
+  const Scalar inertia = mass * payload_.com_mean.squaredNorm();
+  for (int i = 4; i < kInertial; ++i) Q(i, i) = inertia * inertia;
+  return Q;
+}
+
+template <typename Scalar, int Dofs>
+Scalar HypothesisBank<Scalar, Dofs>::log_plausible(const Star& star) const noexcept {
+  using std::erfc;
+  using std::log;
+  using std::sqrt;
+  const Scalar deviation = sqrt(std::max(star.mass_variance(), Scalar(1e-12)));
+  const auto below = [&](Scalar m) { return Scalar(0.5) * erfc((star.mean()[0] - m) / (deviation * sqrt(Scalar(2)))); };
+  constexpr double kLightest = 0.007, kHeaviest = 1.2;  // of the rated payload: 20 g on a Panda
+  return log(std::max(Scalar(1e-30), below(Scalar(kHeaviest) * rated_) - below(Scalar(kLightest) * rated_)));
+}
+
+}  // namespace rme

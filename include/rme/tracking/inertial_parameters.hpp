@@ -1,0 +1,113 @@
+#pragma once
+/// The ten standard inertial parameters of a payload, in which its joint torque is linear.
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <rme/core/flange_motion.hpp>
+#include <rme/core/payload.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// phi = (m, m r_x, m r_y, m r_z, I_xx, I_xy, I_xz, I_yy, I_yz, I_zz), in [kg, kg m, kg m^2]: end-effector axes, I
+/// about the end-effector origin.
+inline constexpr int kInertial = 10;
+template <typename Scalar>
+using InertialVector = Eigen::Matrix<Scalar, kInertial, 1>;
+template <typename Scalar>
+using InertialMatrix = Eigen::Matrix<Scalar, kInertial, kInertial>;
+
+/// A rigid body on the end effector; all zero means an empty hand.
+template <typename Scalar>
+struct InertialParameters {
+  Scalar mass = Scalar(0);                                 ///< m [kg]
+  Vector3<Scalar> first_moment = Vector3<Scalar>::Zero();  ///< m r [kg m], end-effector axes
+  Matrix3<Scalar> inertia = Matrix3<Scalar>::Zero();       ///< I [kg m^2], about the end-effector origin
+
+  InertialVector<Scalar> vector() const noexcept {
+    const Matrix3<Scalar>& I = inertia;
+    return (InertialVector<Scalar>() << mass, first_moment, I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2))
+        .finished();
+  }
+  static InertialParameters from_vector(const InertialVector<Scalar>& phi) noexcept {
+    InertialParameters out{phi[0], phi.template segment<3>(1), Matrix3<Scalar>()};
+    out.inertia << phi[4], phi[5], phi[6], phi[5], phi[7], phi[8], phi[6], phi[8], phi[9];
+    return out;
+  }
+  /// Of a mass, its centre [m] and the inertia about that centre [kg m^2]: the parallel-axis theorem.
+  static InertialParameters of_body(const Payload<Scalar>& payload, const Matrix3<Scalar>& about_com) noexcept {
+    const Matrix3<Scalar> lever = skew(payload.com);
+    return {payload.mass, payload.mass * payload.com, about_com - payload.mass * lever * lever};
+  }
+
+  /// Mass and centre of mass. Requires mass > 0, or gives an empty hand.
+  Payload<Scalar> payload() const noexcept {
+    return mass > 0 ? Payload<Scalar>{mass, first_moment / mass} : Payload<Scalar>();
+  }
+  /// Inertia about the centre of mass [kg m^2], end-effector axes.
+  Matrix3<Scalar> inertia_about_com() const noexcept {
+    const Matrix3<Scalar> lever = skew(payload().com);
+    return inertia + mass * lever * lever;
+  }
+  /// Whether a body of positive density can have these parameters: mass above zero and principal moments about the
+  /// centre of mass that obey the triangle inequalities, which is the pseudo-inertia being positive definite (Wensing,
+  /// Kim and Slotine, RA-L 2018).
+  bool physically_consistent() const noexcept { return mass > 0 && least_density_moment() > 0; }
+  /// The nearest parameters with the same mass and centre of mass whose density moment about the centre has no
+  /// eigenvalue below mass * radius^2.
+  /// @param radius  root mean square extent that a payload has at least, along any axis [m], > 0
+  InertialParameters made_consistent(Scalar radius) const noexcept {
+    if (!(mass > 0)) return InertialParameters();
+    Eigen::SelfAdjointEigenSolver<Matrix3<Scalar>> solver;
+    solver.computeDirect(density_moment());
+    const Vector3<Scalar> moments = solver.eigenvalues().cwiseMax(mass * radius * radius);
+    const Matrix3<Scalar> sigma = solver.eigenvectors() * moments.asDiagonal() * solver.eigenvectors().transpose();
+    return of_body(payload(), sigma.trace() * Matrix3<Scalar>::Identity() - sigma);
+  }
+
+ private:
+  // Integral of rho s s^T over the body, s from its centre of mass: (tr I_c / 2) 1 - I_c.
+  Matrix3<Scalar> density_moment() const noexcept {
+    const Matrix3<Scalar> I = inertia_about_com();
+    return Scalar(0.5) * I.trace() * Matrix3<Scalar>::Identity() - I;
+  }
+  Scalar least_density_moment() const noexcept {
+    Eigen::SelfAdjointEigenSolver<Matrix3<Scalar>> solver;
+    solver.computeDirect(density_moment(), Eigen::EigenvaluesOnly);
+    return solver.eigenvalues()[0];
+  }
+};
+
+/// Y, 6 x 10: the wrench that a payload phi exerts on the end effector is Y phi (force, then moment; world axes, moment
+/// about the end-effector origin). Newton's and Euler's equations about the end-effector origin,
+///
+///     f = m s - (alpha x + omega x omega x) m r,   n = m r x s - I alpha - omega x I omega,   s = g - a
+///
+/// with a the origin's acceleration (docs/theory.md, "Ten parameters").
+/// @param rotation  R, end-effector axes to world axes
+/// @param gravity   g [m/s^2], world axes
+template <typename Scalar>
+Eigen::Matrix<Scalar, 6, kInertial> inertial_wrench_regressor(const Matrix3<Scalar>& rotation,
+                                                              const Vector3<Scalar>& gravity,
+                                                              const FlangeMotion<Scalar>& motion) noexcept {
+  const Vector3<Scalar> specific_force = gravity - motion.linear_acceleration;
+  const Vector3<Scalar> omega = rotation.transpose() * motion.angular_velocity;  // end-effector axes
+  const Vector3<Scalar> alpha = rotation.transpose() * motion.angular_acceleration;
+  // I v = [v] (I_xx, I_xy, I_xz, I_yy, I_yz, I_zz)
+  const auto product = [](const Vector3<Scalar>& v) {
+    Eigen::Matrix<Scalar, 3, 6> m;
+    m << v[0], v[1], v[2], 0, 0, 0, 0, v[0], 0, v[1], v[2], 0, 0, 0, v[0], 0, v[1], v[2];
+    return m;
+  };
+  const Matrix3<Scalar> omega_cross = skew(omega);
+  Eigen::Matrix<Scalar, 6, kInertial> Y;
+  Y.template topLeftCorner<3, 1>() = specific_force;
+  Y.template block<3, 3>(0, 1).noalias() = -(rotation * (skew(alpha) + omega_cross * omega_cross));
+  Y.template topRightCorner<3, 6>().setZero();
+  Y.template bottomLeftCorner<3, 1>().setZero();
+  Y.template block<3, 3>(3, 1).noalias() = -(skew(specific_force) * rotation);
+  Y.template bottomRightCorner<3, 6>().noalias() =
+      -(rotation * Eigen::Matrix<Scalar, 3, 6>(product(alpha) + omega_cross * product(omega)));
+  return Y;
+}
+
+}  // namespace rme

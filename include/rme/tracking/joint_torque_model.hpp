@@ -1,0 +1,174 @@
+#pragma once
+/// What a joint's torque is made of besides the payload's, and how that changes from block to block.
+#include <algorithm>
+#include <cmath>
+#include <rme/core/types.hpp>
+#include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/friction_regime.hpp>
+#include <rme/tracking/sensor_noise.hpp>
+#include <rme/tracking/star_gaussian.hpp>
+#include <rme/tracking/torque_block.hpp>
+
+namespace rme {
+
+/// The nuisances' prior, their own lives over a block, and how they enter a block's torque, for one kind of torque
+/// sensing (docs/theory.md, "Friction" and "What counts as unexplained"):
+///
+///     tau_j = h_j^T phi + offset - d coulomb - dq viscous + residual + s stiction + noise
+///
+/// with d the mean direction of motion and s the share of the block in which the joint rests. Real time: nothing
+/// allocates.
+template <typename Scalar, int Dofs>
+class JointTorqueModel {
+ public:
+  using Star = StarGaussian<Scalar, Dofs>;
+
+  /// @param inertia_arm  mean square distance of a payload's mass from the flange [m^2]
+  JointTorqueModel(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm, Scalar inertia_arm) noexcept
+      : sensing_(sensing), arm_(arm), inertia_arm_(inertia_arm), noise_(sensing, arm) {
+    timing_noise_.setZero();
+    inertia_noise_.setZero();
+  }
+
+  /// What is believed of the joints before the first sample; nothing is held.
+  Star prior() const noexcept {
+    Star star;
+    for (int j = 0; j < Dofs; ++j) {
+      auto& joint = star.joint(j);
+      joint.covariance(kOffset, kOffset) = arm_.offset[j] * arm_.offset[j];
+      if (sensing_ == Sensing::LinkSide) continue;
+      joint.mean[kCoulomb] = arm_.coulomb[j];
+      joint.mean[kViscous] = arm_.viscous[j];
+      joint.covariance(kCoulomb, kCoulomb) = Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];
+      joint.covariance(kViscous, kViscous) = Scalar(0.25) * arm_.viscous[j] * arm_.viscous[j];
+      joint.covariance(kStiction, kStiction) = Scalar(0.36) * arm_.coulomb[j] * arm_.coulomb[j];
+    }
+    return star;
+  }
+  /// Starts a block: what follows is about it.
+  void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime) noexcept;
+  /// The nuisances' own lives over the block.
+  void predict(Star& star) const noexcept;
+  /// @param mass  that is held [kg]: what noise of dq makes of its inertia is noise
+  JointObservation<Scalar> observation(int j, Scalar mass) const noexcept;
+  /// Variance by which what holds a joint may have jumped within the block: while others move, that of a resting one
+  /// may be anywhere within its friction [(N m)^2]. 0 if it cannot have.
+  Scalar stiction_jump(int j) const noexcept {
+    if (sensing_ == Sensing::LinkSide || regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
+    return Scalar(2.25) * arm_.coulomb[j] * arm_.coulomb[j];
+  }
+  /// Forgets how sure the offset was.
+  void reopen_offset(Star& star) const noexcept {
+    for (int j = 0; j < Dofs; ++j) star.joint(j).covariance(kOffset, kOffset) += arm_.offset[j] * arm_.offset[j];
+  }
+
+  /// Learns from a block in which nothing happened (SensorNoise).
+  void learn(bool empty, const JointVector<Scalar, Dofs>& innovation,
+             const JointVector<Scalar, Dofs>& variance) noexcept {
+    noise_.learn(empty, innovation, variance, block_, regime_);
+  }
+  void interrupt() noexcept { noise_.interrupt(); }
+  const SensorNoise<Scalar, Dofs>& noise() const noexcept { return noise_; }
+  const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }
+
+ private:
+  Sensing sensing_;
+  ArmPrior<Scalar, Dofs> arm_;
+  Scalar inertia_arm_;
+  SensorNoise<Scalar, Dofs> noise_;
+  bool started_ = false;
+  TorqueBlock<Scalar, Dofs> block_;
+  FrictionRegime<Scalar, Dofs> regime_;
+  JointVector<Scalar, Dofs> timing_noise_, inertia_noise_;  // [(N m)^2], [(N m / kg)^2]
+};
+
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
+                                           const FrictionRegime<Scalar, Dofs>& regime) noexcept {
+  constexpr double kTiming = 0.03;
+  // tau and the motion that goes with it may be a millisecond apart; and the lag of an observer that is not quite what
+  // it is said to be is left in as a share of every change.
+  timing_noise_ = started_ ? JointVector<Scalar, Dofs>((Scalar(kTiming) * (block.tau - block_.tau)).cwiseAbs2())
+                           : JointVector<Scalar, Dofs>(JointVector<Scalar, Dofs>::Zero());
+  // Torque that comes in steps stands still between them: what it is off by stays for many blocks.
+  timing_noise_ += Scalar(0.3) * block.torque_step.cwiseAbs2();
+  started_ = true;
+  // Noise of dq at both ends of the block is noise of the flange's acceleration: of the force on the payload, and of
+  // the moment that turns it, whose arm is the prior's.
+  const Jacobian<Scalar, Dofs> squares = block.jacobian.cwiseAbs2();
+  const Vector6<Scalar> twist_noise = squares * regime.velocity_noise();
+  // Two ends make 2; 5, since the joints all see the same noise, which is left out otherwise.
+  const Scalar difference = Scalar(5) / (block.duration * block.duration);
+  const Scalar linear = difference * twist_noise.template head<3>().mean();
+  const Scalar angular = difference * twist_noise.template tail<3>().mean();
+  inertia_noise_ = linear * squares.template topRows<3>().colwise().sum().transpose();
+  inertia_noise_ += (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) *
+                    squares.template bottomRows<3>().colwise().sum().transpose();
+  block_ = block;
+  regime_ = regime;
+}
+
+/// The nuisances' own lives over a block.
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
+  using std::exp;
+  // The residual is a function of the pose: an Ornstein-Uhlenbeck process over the way that the joints have gone.
+  constexpr double kCorrelationWay = 0.7;  // [rad]
+  constexpr double kOffsetDrift = 2e-4;    // of the arm's scale, per block [N m]
+  constexpr double kFrictionDrift = 1e-4;  // of friction itself, per block: it changes as the gears warm up
+  constexpr double kStictionTime = 20;     // [s]
+  const Scalar way = block_.velocity.norm() * block_.duration;
+  const Scalar keep = exp(-way / Scalar(kCorrelationWay));
+  const Scalar hold = regime_.arm_moves() ? exp(-block_.duration / Scalar(kStictionTime)) : Scalar(1);
+  for (int j = 0; j < Dofs; ++j) {
+    auto& joint = star.joint(j);
+    auto& V = joint.covariance;
+    const auto scale = [&](Nuisance n, Scalar by) {
+      joint.mean[n] *= by;
+      joint.slope.col(n) *= by;
+      V.row(n) *= by;
+      V.col(n) *= by;
+    };
+    scale(kResidual, keep);
+    V(kResidual, kResidual) += (Scalar(1) - keep * keep) * noise_.residual_variance(j);
+    const Scalar drift = Scalar(kOffsetDrift) * arm_.residual[j];
+    V(kOffset, kOffset) += drift * drift;
+    if (sensing_ == Sensing::LinkSide) continue;
+    const Scalar coulomb_drift = Scalar(kFrictionDrift) * arm_.coulomb[j];
+    const Scalar viscous_drift = Scalar(kFrictionDrift) * arm_.viscous[j];
+    V(kCoulomb, kCoulomb) += coulomb_drift * coulomb_drift;
+    V(kViscous, kViscous) += viscous_drift * viscous_drift;
+    const JointFriction<Scalar>& friction = regime_.joint(j);
+    if (friction.stops) {  // what held it until it stopped holds it still, or nearly so
+      const Scalar d = Scalar(-0.95) * friction.last_direction;
+      joint.mean[kStiction] = d * joint.mean[kCoulomb];
+      joint.slope.col(kStiction) = d * joint.slope.col(kCoulomb);
+      V.row(kStiction) = d * V.row(kCoulomb);
+      V.col(kStiction) = V.row(kStiction).transpose();
+      const Scalar off = Scalar(0.15) * joint.mean[kCoulomb];
+      V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
+    } else if (regime_.rests(j)) {
+      scale(kStiction, hold);
+      const Scalar off = Scalar(0.6) * arm_.coulomb[j];
+      V(kStiction, kStiction) += (Scalar(1) - hold * hold) * off * off;
+    }
+  }
+}
+
+template <typename Scalar, int Dofs>
+JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scalar mass) const noexcept {
+  JointObservation<Scalar> o;
+  o.torque = block_.tau[j];
+  o.h = block_.regressor.row(j).transpose();
+  o.noise = noise_.variance(j) + timing_noise_[j] + mass * mass * inertia_noise_[j];
+  if (sensing_ == Sensing::LinkSide) {
+    o.c << 1, 0, 0, 1, 0;
+    return o;
+  }
+  const JointFriction<Scalar>& friction = regime_.joint(j);
+  o.c << 1, -friction.direction, -block_.velocity[j], 1, friction.resting;
+  if (!friction.steady()) o.noise += Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];  // when within the block?
+  return o;
+}
+
+}  // namespace rme

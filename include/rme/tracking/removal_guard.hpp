@@ -1,0 +1,47 @@
+#pragma once
+/// The dangerous direction: what is carried may be gone.
+#include <algorithm>
+#include <cmath>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// Compares, tick by tick, the torque that is carried with what the arm feels. When an object is dropped, compensation
+/// pushes the empty hand upwards until the filters know; this knows within milliseconds, and errs on the side of the
+/// arm sagging a little: somebody who lifts the object has the same effect.
+///
+///     s = (tau - nu) . t / t . t
+///
+/// with t the payload's torque, nu what tau holds besides, as of the last quiet block, and tau averaged over 4 ms. Down
+/// to half of the weight all of the compensation stays, below that twice s of it.
+template <typename Scalar, int Dofs>
+class RemovalGuard {
+ public:
+  using Vector = JointVector<Scalar, Dofs>;
+
+  /// @param tau      external torque of this tick, the observer's lag taken out [N m]
+  /// @param carried  torque of what is believed to be held [N m]
+  void update(const Vector& tau, const Vector& carried, Scalar dt) noexcept {
+    using std::exp;
+    average_ += (Scalar(1) - exp(-dt / Scalar(kAverage))) * (tau - average_);
+    const Scalar square = carried.squaredNorm();
+    if (!(square > Scalar(kLeast * kLeast))) {
+      share_ = Scalar(1);
+      return;
+    }
+    const Scalar support = (average_ - besides_).dot(carried) / square;
+    share_ = std::max(Scalar(0), std::min(Scalar(1), 2 * support));
+  }
+  /// What a block's mean torque held besides the payload's, of a block in which nothing happened [N m].
+  void learn(const Vector& besides) noexcept { besides_ = besides; }
+  /// Of the compensation, that is safe to command: 0 to 1.
+  Scalar share() const noexcept { return share_; }
+
+ private:
+  static constexpr double kAverage = 0.004;  // time constant [s]
+  static constexpr double kLeast = 0.3;      // a torque below it is no danger [N m]
+  Vector average_ = Vector::Zero(), besides_ = Vector::Zero();
+  Scalar share_ = Scalar(1);
+};
+
+}  // namespace rme

@@ -1,0 +1,106 @@
+#pragma once
+/// How noisy an arm's torque is, and how far its rigid-body model is off: learned for as long as the arm runs.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <rme/core/types.hpp>
+#include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/friction_regime.hpp>
+#include <rme/tracking/torque_block.hpp>
+
+namespace rme {
+
+/// Learned from innovations of blocks in which nothing happens.
+///
+/// Noise, per joint: half the mean square of the difference of two innovations in a row. Whatever lasts longer than a
+/// block, be it an offset, friction, or a residual, cancels in it.
+///
+/// Residual, one scale for all joints: if it is right, innovations are white. If they are correlated with those before,
+/// the residual is larger than assumed, and smaller if they are anticorrelated (Mehra, IEEE Trans. Automatic Control
+/// 1970). Only blocks in which the arm moves count.
+template <typename Scalar, int Dofs>
+class SensorNoise {
+ public:
+  using Vector = JointVector<Scalar, Dofs>;
+
+  SensorNoise(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm) noexcept
+      : share_(arm.residual),
+        variance_(arm.noise.cwiseAbs2()),
+        floor_((Scalar(kLeastNoise) * arm.residual).cwiseAbs2()),
+        residual_(Scalar(sensing == Sensing::LinkSide ? kLinkSideResidual : kFrictionResidual)),
+        least_(Scalar(sensing == Sensing::LinkSide ? kLeastLinkSide : kLeastFriction)),
+        largest_(Scalar(sensing == Sensing::LinkSide ? kLargestLinkSide : kLargestFriction)) {
+    blocks_.setConstant(Scalar(kPriorBlocks));
+  }
+
+  /// Variance of a block's mean torque [(N m)^2].
+  Scalar variance(int j) const noexcept { return variance_[j]; }
+  /// Variance of the model's residual [(N m)^2].
+  Scalar residual_variance(int j) const noexcept {
+    const Scalar s = residual_ * share_[j];
+    return s * s;
+  }
+
+  /// Takes in a block of which it is sure that nothing happened in it.
+  /// @param empty       which of the two hypotheses the innovations are of: those of two are not compared
+  /// @param innovation  e [N m]
+  /// @param variance    S of e [(N m)^2]
+  void learn(bool empty, const Vector& innovation, const Vector& variance, const TorqueBlock<Scalar, Dofs>& block,
+             const FrictionRegime<Scalar, Dofs>& regime) noexcept {
+    using std::exp;
+    using std::sqrt;
+    if (empty != was_empty_) interrupt();
+    was_empty_ = empty;
+    const Scalar way = block.velocity.norm() * block.duration;
+    const Scalar weight = std::min(Scalar(1), way / Scalar(kFullWay));
+    Scalar correlation = Scalar(0);
+    for (int j = 0; j < Dofs; ++j) {
+      const bool steady = regime.joint(j).steady();
+      const auto k = static_cast<std::size_t>(j);
+      if (steady && usable_[k]) {
+        const Scalar difference = innovation[j] - last_[j];
+        // Single large differences are events, not noise.
+        const Scalar square = std::min(Scalar(0.5) * difference * difference, 9 * variance_[j]);
+        blocks_[j] = std::min(blocks_[j] + 1, Scalar(kMemory));
+        variance_[j] = std::max(floor_[j], variance_[j] + (square - variance_[j]) / blocks_[j]);
+      }
+      last_[j] = innovation[j];
+      usable_[k] = steady;
+      const Scalar white = std::max(Scalar(-3), std::min(Scalar(3), innovation[j] / sqrt(variance[j])));
+      correlation += white * average_[j];
+      average_[j] = Scalar(kKeep) * average_[j] + Scalar(kAdd) * white;
+    }
+    correlation = std::max(Scalar(-6), std::min(Scalar(6), correlation * weight));
+    residual_ *= exp(Scalar(0.5 * kStep) * correlation);
+    residual_ = std::max(least_, std::min(largest_, residual_));
+  }
+  /// Something happens: the next block has no predecessor.
+  void interrupt() noexcept { usable_.fill(false); }
+
+ private:
+  static constexpr double kLeastNoise = 0.004;       // [N m] of the arm's scale
+  static constexpr double kLinkSideResidual = 0.02;  // where learning begins [N m]
+  static constexpr double kFrictionResidual = 0.005;
+  // No rigid-body model is better than this, whatever a few seconds of motion show; where friction is learned, it takes
+  // its share.
+  static constexpr double kLeastLinkSide = 0.01;
+  static constexpr double kLeastFriction = 0.002;
+  // A residual that could take on the size of friction would be one more friction model, and a bad one.
+  static constexpr double kLargestLinkSide = 0.1;
+  static constexpr double kLargestFriction = 4;
+  static constexpr double kPriorBlocks = 5;  // that the prior counts for
+  static constexpr double kMemory = 500;     // blocks: 10 s
+  static constexpr double kFullWay = 0.002;  // [rad] in a block: 0.1 rad/s
+  static constexpr double kStep = 0.05;      // of log variance per unit of correlation
+  static constexpr double kKeep = 0.9;       // of a block: the average looks 0.2 s back
+  static constexpr double kAdd = 0.4359;     // sqrt(1 - kKeep^2): white innovations have an average of variance 1
+
+  Vector share_, variance_, floor_, blocks_;
+  Vector last_ = Vector::Zero(), average_ = Vector::Zero();
+  std::array<bool, static_cast<std::size_t>(Dofs)> usable_{};
+  Scalar residual_, least_, largest_;
+  bool was_empty_ = true;
+};
+
+}  // namespace rme

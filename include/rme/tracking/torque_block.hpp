@@ -1,0 +1,194 @@
+#pragma once
+/// Twenty milliseconds of an arm, averaged: what the tracker looks at.
+#include <algorithm>
+#include <cmath>
+#include <rme/core/flange_motion.hpp>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+#include <rme/core/wrench.hpp>
+#include <rme/sensing/proprioception.hpp>
+#include <rme/tracking/inertial_parameters.hpp>
+
+namespace rme {
+
+inline constexpr int kBlockParts = 4;  ///< parts of a block whose velocities are told apart
+
+/// Averages over a block of samples.
+template <typename Scalar, int Dofs>
+struct TorqueBlock {
+  double end = 0;                                       ///< instant of its last sample [s]
+  Scalar duration = Scalar(0);                          ///< [s], > 0
+  JointVector<Scalar, Dofs> tau;                        ///< external torque, the observer's lag taken out [N m]
+  Eigen::Matrix<Scalar, Dofs, kInertial> regressor;     ///< d tau / d phi
+  Jacobian<Scalar, Dofs> jacobian;                      ///< of the last sample
+  Matrix3<Scalar> rotation;                             ///< of the last sample
+  JointVector<Scalar, Dofs> velocity;                   ///< dq [rad/s]
+  Eigen::Matrix<Scalar, Dofs, kBlockParts> velocities;  ///< the same over the parts of the block [rad/s]
+  JointVector<Scalar, Dofs> torque_step;                ///< smallest change of tau_ext so far: its resolution [N m]
+  JointVector<Scalar, Dofs> velocity_noise;             ///< variance of a sample of dq, 0 if too few [(rad/s)^2]
+};
+
+/// Gathers samples into blocks.
+///
+/// The observer's lag: r_k = r_k-1 + b (tau_k - r_k-1) is inverted, tau_k = r_k-1 + (r_k - r_k-1) / b. White noise of
+/// the sensor comes out white, and what quantisation, delay or a bandwidth that is said wrongly do to single samples
+/// cancels within a block but for its two ends (docs/theory.md, "Matching the observer"). The flange's acceleration is
+/// the difference of J dq between the ends of a part of the block, which is its exact mean.
+///
+/// Periods may vary, and samples may be missing: the time between two samples is what counts. Real time: add() is
+/// O(Dofs), and O(10 Dofs) on the last sample of each part; nothing allocates.
+template <typename Scalar, int Dofs>
+class BlockAverager {
+ public:
+  static constexpr double kDuration = 0.02;  ///< of a block [s]
+  static constexpr double kObserverPeriod =
+      0.001;  ///< of the arm's own observer, which may be faster than the host [s]
+
+  /// @param bandwidth  K of the observer that tau_ext has gone through [rad/s]; 0 if it is unfiltered
+  /// @param gravity    g [m/s^2], world axes
+  BlockAverager(double bandwidth, const Vector3<Scalar>& gravity) noexcept : bandwidth_(bandwidth), gravity_(gravity) {
+    clear();
+  }
+
+  /// Adds a sample that check() has found to be good.
+  /// @param dt    time since the sample before [s], > 0
+  /// @param time  of this sample [s]
+  /// @return whether block() is now a new one
+  bool add(const Proprioception<Scalar, Dofs>& sample, double dt, double time) noexcept;
+
+  /// The last complete block. Requires that add() has returned true.
+  const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }
+  /// External torque of the last sample, the observer's lag taken out [N m].
+  const JointVector<Scalar, Dofs>& torque() const noexcept { return torque_; }
+  /// Forgets what has been gathered and the sample before: the next one is a first one.
+  void clear() noexcept {
+    started_ = false;
+    begin();
+  }
+
+ private:
+  void begin() noexcept;
+  void begin_part() noexcept {
+    part_tau_.setZero();
+    part_velocity_.setZero();
+    part_duration_ = part_motion_duration_ = Scalar(0);
+    part_motion_ = FlangeMotion<Scalar>();
+  }
+  void end_part() noexcept;
+
+  double bandwidth_;
+  Vector3<Scalar> gravity_;
+  bool started_ = false;
+  Proprioception<Scalar, Dofs> last_;
+  Twist<Scalar> last_twist_, part_twist_;  // of the last sample; of the one before this part
+  JointVector<Scalar, Dofs> torque_ = JointVector<Scalar, Dofs>::Zero();
+  JointVector<Scalar, Dofs> difference_ = JointVector<Scalar, Dofs>::Zero();  // of dq, between the last two samples
+  JointVector<Scalar, Dofs> step_ = JointVector<Scalar, Dofs>::Zero();
+  int samples_ = 0;
+  // of this part
+  JointVector<Scalar, Dofs> part_tau_, part_velocity_;
+  Scalar part_duration_ = Scalar(0), part_motion_duration_ = Scalar(0);
+  FlangeMotion<Scalar> part_motion_;  // as the host says, times duration
+  // of this block
+  int parts_ = 0, differences_ = 0;
+  Scalar duration_ = Scalar(0);
+  TorqueBlock<Scalar, Dofs> sums_, block_;
+};
+
+template <typename Scalar, int Dofs>
+void BlockAverager<Scalar, Dofs>::begin() noexcept {
+  begin_part();
+  parts_ = differences_ = 0;
+  duration_ = Scalar(0);
+  sums_.tau.setZero();
+  sums_.regressor.setZero();
+  sums_.velocity.setZero();
+  sums_.velocities.setZero();
+  sums_.velocity_noise.setZero();
+}
+
+template <typename Scalar, int Dofs>
+bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample, double dt, double time) noexcept {
+  const auto twist = Twist<Scalar>::from_vector(sample.jacobian * sample.dq);
+  if (!started_) {
+    started_ = true;
+    samples_ = 0;
+    last_ = sample;
+    last_twist_ = part_twist_ = twist;
+    torque_ = sample.tau_ext;
+    begin();
+    return false;
+  }
+  // The observer may run faster than samples come: b of n of its periods is 1 - (1 - K p)^n.
+  const double gain = std::min(1.0, bandwidth_ * kObserverPeriod);
+  const auto blend = bandwidth_ > 0 ? static_cast<Scalar>(1 - std::pow(1 - gain, dt / kObserverPeriod)) : Scalar(1);
+  torque_ = last_.tau_ext + (sample.tau_ext - last_.tau_ext) / std::max(blend, Scalar(1e-6));
+
+  const auto h = static_cast<Scalar>(dt);
+  const JointVector<Scalar, Dofs> difference = sample.dq - last_.dq;
+  if (samples_ > 0) {  // second differences, which a steady acceleration does not enter: variance 6 sigma^2
+    sums_.velocity_noise += (difference - difference_).cwiseAbs2() / Scalar(6);
+    ++differences_;
+  }
+  difference_ = difference;
+  for (int j = 0; j < Dofs; ++j) {
+    const Scalar step = std::abs(sample.tau_ext[j] - last_.tau_ext[j]);
+    if (step > Scalar(1e-7) && (step < step_[j] || step_[j] == Scalar(0))) step_[j] = step;
+  }
+  ++samples_;
+  part_tau_ += h * torque_;
+  part_velocity_ += h * sample.dq;
+  part_duration_ += h;
+  if (sample.motion) {
+    part_motion_.angular_velocity += h * sample.motion->angular_velocity;
+    part_motion_.linear_acceleration += h * sample.motion->linear_acceleration;
+    part_motion_.angular_acceleration += h * sample.motion->angular_acceleration;
+    part_motion_duration_ += h;
+  }
+  last_ = sample;
+  last_twist_ = twist;
+  // Half a period of tolerance, so that jitter does not make every other block longer.
+  const double slack = 0.5 * dt;
+  const bool complete = static_cast<double>(duration_ + part_duration_) + slack >= kDuration;
+  if (complete || static_cast<double>(part_duration_) + slack >= kDuration / kBlockParts) end_part();
+  if (!complete) return false;
+
+  sums_.end = time;
+  sums_.duration = duration_;
+  sums_.tau /= duration_;
+  sums_.regressor /= duration_;
+  sums_.velocity /= duration_;
+  for (int i = parts_; i < kBlockParts; ++i) sums_.velocities.col(i) = sums_.velocities.col(parts_ - 1);
+  if (differences_ > 0) sums_.velocity_noise /= Scalar(differences_);
+  sums_.torque_step = step_;
+  sums_.jacobian = sample.jacobian;
+  sums_.rotation = sample.rotation;
+  block_ = sums_;
+  begin();
+  return true;
+}
+
+template <typename Scalar, int Dofs>
+void BlockAverager<Scalar, Dofs>::end_part() noexcept {
+  FlangeMotion<Scalar> motion;
+  if (part_motion_duration_ > Scalar(0.5) * part_duration_) {
+    motion.angular_velocity = part_motion_.angular_velocity / part_motion_duration_;
+    motion.linear_acceleration = part_motion_.linear_acceleration / part_motion_duration_;
+    motion.angular_acceleration = part_motion_.angular_acceleration / part_motion_duration_;
+  } else {
+    motion.angular_velocity = Scalar(0.5) * (part_twist_.angular + last_twist_.angular);
+    motion.linear_acceleration = (last_twist_.linear - part_twist_.linear) / part_duration_;
+    motion.angular_acceleration = (last_twist_.angular - part_twist_.angular) / part_duration_;
+  }
+  sums_.tau += part_tau_;
+  sums_.velocity += part_velocity_;
+  const Eigen::Matrix<Scalar, 6, kInertial> wrench =
+      inertial_wrench_regressor<Scalar>(last_.rotation, gravity_, motion);
+  sums_.regressor += part_duration_ * last_.jacobian.transpose().lazyProduct(wrench);
+  if (parts_ < kBlockParts) sums_.velocities.col(parts_++) = part_velocity_ / part_duration_;
+  duration_ += part_duration_;
+  part_twist_ = last_twist_;
+  begin_part();
+}
+
+}  // namespace rme

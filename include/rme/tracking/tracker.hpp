@@ -1,0 +1,185 @@
+#pragma once
+/// One posterior over what is in the hand, that never stops listening.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <rme/core/types.hpp>
+#include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/friction_regime.hpp>
+#include <rme/tracking/hypothesis.hpp>
+#include <rme/tracking/hypothesis_bank.hpp>
+#include <rme/tracking/payload_belief.hpp>
+#include <rme/tracking/torque_block.hpp>
+
+namespace rme {
+
+/// What is believed after a block.
+template <typename Scalar>
+struct TrackerBelief {
+  PerHypothesis<Scalar> probability;  ///< of the hypotheses, sum one
+  InertialGaussian<Scalar> payload;   ///< phi of what is held, given that the hand is not empty
+  Scalar friction_shows = Scalar(0);  ///< probability that the arm's torque sensing sees joint friction
+  Scalar health = Scalar(1);  ///< normalised innovation squared over a second: 1 if the arm does what the model says
+};
+
+/// Runs a HypothesisBank for each kind of torque sensing and weighs them by how well they explain an arm in motion;
+/// which kind it is is a property of the arm, and remembered.
+///
+/// Real time: nothing allocates. A block's work is spread over advance() calls, two filters each.
+template <typename Scalar, int Dofs>
+class Tracker {
+ public:
+  /// @param sensing_odds  log odds of joint friction against link side before the first sample [nats]; 0 lets the arm
+  ///                      show it, large numbers decide
+  Tracker(const ArmPrior<Scalar, Dofs>& arm, const PayloadPrior<Scalar>& payload, Scalar rated_payload,
+          double sensing_odds) noexcept
+      : payload_(payload),
+        rated_(rated_payload),
+        banks_{HypothesisBank<Scalar, Dofs>(Sensing::LinkSide, arm, payload, rated_payload),
+               HypothesisBank<Scalar, Dofs>(Sensing::JointFriction, arm, payload, rated_payload)},
+        friction_odds_(std::max(-kDecided, std::min(kDecided, sensing_odds + kCaution))) {
+    belief_.probability[Hypothesis::Empty] = Scalar(1);
+  }
+
+  /// Steps that advance() takes for one block.
+  static constexpr int kSteps = 2 * static_cast<int>(kHypotheses) + 1;
+
+  /// Starts to take in a block; one that is not finished is finished first.
+  /// @param exchange_likely  the host says that the payload changes now
+  void begin(const TorqueBlock<Scalar, Dofs>& block, bool exchange_likely) noexcept {
+    while (step_ > 0) advance();
+    regime_.update(block);
+    duration_ = block.duration;
+    speed_ = block.velocity.norm();
+    for (auto& bank : banks_) bank.begin(block, regime_, exchange_likely);
+    step_ = kSteps;
+  }
+  /// Does one step of what is to be done for the block.
+  /// @return whether that was the last one, so that belief() is new
+  bool advance() noexcept {
+    if (step_ == 0) return false;
+    --step_;
+    if (step_ == 0) {
+      finish();
+      return true;
+    }
+    const int done = kSteps - 1 - step_;
+    banks_[static_cast<std::size_t>(done / static_cast<int>(kHypotheses))].evaluate(
+        static_cast<std::size_t>(done % static_cast<int>(kHypotheses)));
+    return false;
+  }
+  bool busy() const noexcept { return step_ > 0; }
+
+  const TrackerBelief<Scalar>& belief() const noexcept { return belief_; }
+  /// The bank of the likelier kind of sensing.
+  const HypothesisBank<Scalar, Dofs>& bank() const noexcept { return banks_[friction_odds_ > 0 ? 1 : 0]; }
+
+  /// The host says that the hand is empty. Data can still overturn it.
+  void declare_empty() noexcept {
+    settle();
+    for (auto& bank : banks_) {
+      bank.reopen_offsets();
+      bank.believe(Hypothesis::Empty, Scalar(kHostIsRight));
+    }
+    summarise();
+  }
+  /// The host says what is held: moments of (m, m r), and of the inertia what the prior says of that mass. Data can
+  /// still overturn it.
+  void set_payload(const PayloadGaussian<Scalar>& payload) noexcept {
+    settle();
+    const Scalar mass = payload.mean[0], variance = payload.covariance(0, 0);
+    const Vector3<Scalar> com = payload.mean.template tail<3>();
+    InertialVector<Scalar> mean = InertialVector<Scalar>::Zero();
+    const Vector3<Scalar> mass_com = payload.covariance.template block<3, 1>(1, 0);
+    mean[0] = mass;
+    mean.template segment<3>(1) = mass * com + mass_com;
+    const InertialMatrix<Scalar> prior =
+        payload_.factor(std::max(mass * mass + variance, Scalar(1e-6) * rated_ * rated_));
+    InertialMatrix<Scalar> P = prior.lazyProduct(prior.transpose());
+    P.template topLeftCorner<4, 4>().setZero();
+    P(0, 0) = variance;
+    P.template block<3, 1>(1, 0) = com * variance + mass * mass_com;
+    P.template block<1, 3>(0, 1) = P.template block<3, 1>(1, 0).transpose();
+    P.template block<3, 3>(1, 1) = com * com.transpose() * variance +
+                                   mass * (mass_com * com.transpose() + com * mass_com.transpose()) +
+                                   (mass * mass + variance) * payload.covariance.template bottomRightCorner<3, 3>();
+    InertialMatrix<Scalar> factor;
+    if (!StarGaussian<Scalar, Dofs>::factorise(P, factor)) return;
+    for (auto& bank : banks_) {
+      bank.reopen_offsets();
+      bank.set_payload(mean, factor);
+      bank.believe(Hypothesis::Steady, Scalar(kHostIsRight));
+    }
+    summarise();
+  }
+
+ private:
+  // A host that has no reason to say so is wrong once in a thousand times.
+  static constexpr double kHostIsRight = 0.999;
+  // Friction that is taken for weight does more harm than friction that is looked for in vain.
+  static constexpr double kCaution = 10;   // [nats]
+  static constexpr double kDecided = 300;  // an arm that was serviced is recognised after some seconds of motion [nats]
+  static constexpr double kLargestHealth = 100;
+  static constexpr double kFullSpeed = 0.2;  // slower than this friction shows less than stiction hides [rad/s]
+
+  void settle() noexcept {
+    while (step_ > 0) advance();
+  }
+
+  void finish() noexcept {
+    using std::exp;
+    const double link = static_cast<double>(banks_[0].finish()), friction = static_cast<double>(banks_[1].finish());
+    const double weight = std::min(1.0, static_cast<double>(speed_) / kFullSpeed);
+    friction_odds_ = std::max(-kDecided, std::min(kDecided, friction_odds_ + weight * (friction - link)));
+    const auto squared = std::min(Scalar(kLargestHealth), bank().innovation_squared());
+    belief_.health += (Scalar(1) - exp(-duration_)) * (squared - belief_.health);
+    summarise();
+  }
+
+  void summarise() noexcept {
+    using std::exp;
+    const auto friction = static_cast<Scalar>(1 / (1 + exp(-friction_odds_)));
+    const std::array<Scalar, 2> share = {Scalar(1) - friction, friction};
+    TrackerBelief<Scalar> out;
+    out.health = belief_.health;
+    out.friction_shows = friction;
+    InertialVector<Scalar> mean = InertialVector<Scalar>::Zero();
+    Scalar held = Scalar(0);
+    for (std::size_t k = 0; k < 2; ++k) {
+      for (std::size_t i = 0; i < kHypotheses; ++i) {
+        const auto h = static_cast<Hypothesis>(i);
+        const Scalar w = share[k] * banks_[k].probability(h);
+        out.probability[h] += w;
+        if (h == Hypothesis::Empty) continue;
+        held += w;
+        mean += w * banks_[k].star(h).mean();
+      }
+    }
+    if (held > 0) mean /= held;
+    out.payload.mean = mean;
+    for (std::size_t k = 0; k < 2 && held > 0; ++k) {
+      for (std::size_t i = 0; i < kHypotheses; ++i) {
+        const auto h = static_cast<Hypothesis>(i);
+        const Scalar w = share[k] * banks_[k].probability(h) / held;
+        if (h == Hypothesis::Empty || !(w > Scalar(1e-6))) continue;
+        const InertialVector<Scalar> d = banks_[k].star(h).mean() - mean;
+        out.payload.covariance += w * (banks_[k].star(h).covariance() + d.lazyProduct(d.transpose()));
+      }
+    }
+    out.payload = within_rated(out.payload, rated_);
+    if (!out.payload.mean.allFinite() || !out.payload.covariance.allFinite()) out.payload = belief_.payload;
+    belief_ = out;
+  }
+
+  PayloadPrior<Scalar> payload_;
+  Scalar rated_;
+  FrictionRegime<Scalar, Dofs> regime_;
+  std::array<HypothesisBank<Scalar, Dofs>, 2> banks_;
+  double friction_odds_;
+  int step_ = 0;  // that are left for this block
+  Scalar duration_ = Scalar(0), speed_ = Scalar(0);
+  TrackerBelief<Scalar> belief_;
+};
+
+}  // namespace rme

@@ -1,0 +1,158 @@
+#include <random>
+#include <rme/tracking/friction_regime.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+constexpr int kDofs = 3;
+using Regime = rme::FrictionRegime<double, kDofs>;
+using Block = rme::TorqueBlock<double, kDofs>;
+
+/// A block of 20 ms in which joint 0 has these velocities, and the others rest.
+Block block_of(double a, double b, double c, double d) {
+  Block block;
+  block.duration = 0.02;
+  block.velocities.setZero();
+  block.velocities.row(0) << a, b, c, d;
+  block.velocity = block.velocities.rowwise().mean();
+  block.velocity_noise.setZero();
+  return block;
+}
+
+TEST_CASE("FrictionRegime: an arm that has not moved rests, with no direction", "[regime]") {
+  Regime regime;
+  for (int j = 0; j < kDofs; ++j) CHECK(regime.rests(j));
+  regime.update(block_of(0, 0, 0, 0));
+  for (int j = 0; j < kDofs; ++j) {
+    CHECK(regime.rests(j));
+    CHECK(regime.joint(j).resting == 1);
+    CHECK(regime.joint(j).direction == 0);
+    CHECK(regime.joint(j).last_direction == 0);
+    CHECK_FALSE(regime.joint(j).stops);
+    CHECK(regime.joint(j).steady());
+  }
+  CHECK_FALSE(regime.arm_moves());
+}
+
+TEST_CASE("FrictionRegime: a joint that moves has the sign of its velocity, however slow", "[regime]") {
+  for (const double speed : {2e-4, 0.01, 1.0}) {
+    for (const double sign : {-1.0, 1.0}) {
+      CAPTURE(speed, sign);
+      Regime regime;
+      const double v = sign * speed;
+      regime.update(block_of(v, v, v, v));
+      CHECK(regime.joint(0).direction == sign);
+      CHECK(regime.joint(0).resting == 0);
+      CHECK(regime.joint(0).steady());
+      CHECK(regime.joint(0).last_direction == sign);
+      CHECK_FALSE(regime.rests(0));
+      CHECK(regime.rests(1));
+      CHECK(regime.arm_moves() == (speed > 1e-3));
+    }
+  }
+}
+
+TEST_CASE("FrictionRegime: a joint stops in the block at whose end it rests, and that once", "[regime]") {
+  Regime regime;
+  regime.update(block_of(-0.1, -0.1, -0.1, -0.1));
+  regime.update(block_of(-0.1, -0.05, 0, 0));
+  CHECK(regime.joint(0).stops);
+  CHECK(regime.joint(0).direction == -0.5);
+  CHECK(regime.joint(0).resting == 0.5);
+  CHECK_FALSE(regime.joint(0).steady());
+  CHECK(regime.joint(0).last_direction == -1);
+  CHECK(regime.rests(0));
+  regime.update(block_of(0, 0, 0, 0));
+  CHECK_FALSE(regime.joint(0).stops);
+  CHECK(regime.joint(0).steady());
+  CHECK(regime.joint(0).last_direction == -1);  // remembered
+  regime.update(block_of(0, 0, 0.1, 0.1));
+  CHECK_FALSE(regime.joint(0).stops);
+  CHECK_FALSE(regime.rests(0));
+  CHECK(regime.joint(0).last_direction == 1);
+}
+
+TEST_CASE("FrictionRegime: a joint that turns around within a block has no direction on average", "[regime]") {
+  Regime regime;
+  regime.update(block_of(0.1, 0.1, -0.1, -0.1));
+  CHECK(regime.joint(0).direction == 0);
+  CHECK(regime.joint(0).resting == 0);
+  CHECK_FALSE(regime.joint(0).steady());
+  CHECK(regime.joint(0).last_direction == -1);
+  regime.update(block_of(-0.1, 0.1, 0.1, 0.1));
+  CHECK(regime.joint(0).direction == 0.5);
+}
+
+/// Blocks whose velocity is measured with white noise, 5 samples in each part, as second differences tell.
+class NoisyJoint {
+ public:
+  explicit NoisyJoint(double noise) : noise_(noise) {}
+  Block operator()(double speed) {
+    Block block = block_of(0, 0, 0, 0);
+    for (int i = 0; i < rme::kBlockParts; ++i)
+      block.velocities(0, i) = speed + noise_ / std::sqrt(5.0) * normal_(random_);
+    block.velocity = block.velocities.rowwise().mean();
+    // Of some 19 differences: right to a third.
+    block.velocity_noise[0] = noise_ * noise_ * std::max(0.2, 1 + 0.33 * normal_(random_));
+    return block;
+  }
+
+ private:
+  double noise_;
+  std::mt19937_64 random_{530};
+  std::normal_distribution<double> normal_;
+};
+
+TEST_CASE("FrictionRegime: noise of dq is learned, and is not taken for motion any more", "[regime]") {
+  for (const double noise : {1e-3, 3e-3, 1e-2}) {
+    CAPTURE(noise);
+    NoisyJoint joint(noise);
+    Regime regime;
+    for (int k = 0; k < 500; ++k) regime.update(joint(0));
+    CHECK(regime.velocity_noise()[0] == Approx(noise * noise).epsilon(0.2));
+    CHECK(regime.velocity_noise()[1] < 1e-10);
+    int wrong = 0, moves = 0;
+    for (int k = 0; k < 1000; ++k) {
+      regime.update(joint(0));
+      wrong += regime.joint(0).resting != 1;
+      moves += regime.arm_moves();
+    }
+    // Three deviations in four parts, 1.1 %, and three of the slow average, which holds on for some blocks.
+    CHECK(wrong < 40);
+    CHECK(moves < 20);
+    int found = 0;
+    for (int k = 0; k < 1000; ++k) {
+      regime.update(joint(5 * noise));
+      found += regime.joint(0).steady() && regime.joint(0).direction == 1;
+    }
+    CHECK(found > 980);
+  }
+}
+
+TEST_CASE("FrictionRegime: slow motion under noise shows within a quarter of a second", "[regime]") {
+  // 2 mrad/s under 3 mrad/s of noise: a part's mean has 1.3, so no part can tell; ten blocks can.
+  NoisyJoint joint(3e-3);
+  Regime regime;
+  for (int k = 0; k < 500; ++k) regime.update(joint(0));
+  for (int k = 0; k < 12; ++k) regime.update(joint(-2e-3));
+  int found = 0;
+  for (int k = 0; k < 500; ++k) {
+    regime.update(joint(-2e-3));
+    found += !regime.rests(0) && regime.joint(0).direction < 0;
+  }
+  CHECK(found > 480);
+}
+
+TEST_CASE("FrictionRegime: a jerk is no noise", "[regime]") {
+  Regime regime;
+  for (int k = 0; k < 100; ++k) regime.update(block_of(0, 0, 0, 0));
+  Block jerk = block_of(0.3, -0.3, 0.3, -0.3);
+  jerk.velocity_noise[0] = 1e-2;  // what second differences make of it
+  regime.update(jerk);
+  // 3e-4 rad/s still is motion.
+  regime.update(block_of(3e-4, 3e-4, 3e-4, 3e-4));
+  CHECK(regime.joint(0).direction == 1);
+}
+
+}  // namespace

@@ -1,0 +1,199 @@
+#include <cmath>
+#include <random>
+#include <rme/tracking/sensor_noise.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+constexpr int kDofs = 7;
+using Noise = rme::SensorNoise<double, kDofs>;
+using Regime = rme::FrictionRegime<double, kDofs>;
+using Block = rme::TorqueBlock<double, kDofs>;
+using Joints = rme::JointVector<double, kDofs>;
+using rme::Sensing;
+
+rme::ArmPrior<double, kDofs> prior() {
+  return rme::ArmPrior<double, kDofs>::of(3);
+}
+
+/// All joints turn at this speed [rad/s].
+Block moving(double speed) {
+  Block block;
+  block.duration = 0.02;
+  block.velocity.setConstant(speed);
+  block.velocities.setConstant(speed);
+  block.velocity_noise.setZero();
+  return block;
+}
+
+struct White {
+  explicit White(unsigned seed) : random(seed) {}
+  Joints operator()(const Joints& deviation) {
+    Joints out;
+    for (int j = 0; j < kDofs; ++j) out[j] = deviation[j] * normal(random);
+    return out;
+  }
+  std::mt19937_64 random;
+  std::normal_distribution<double> normal;
+};
+
+double residual(const Noise& noise) {
+  return std::sqrt(noise.residual_variance(0)) / prior().residual[0];
+}
+
+TEST_CASE("SensorNoise: white noise is learned to 10 % in a thousand blocks, from a third of the prior to ten times it",
+          "[noise]") {
+  for (const double factor : {0.3, 1.0, 10.0}) {
+    for (const double offset : {0.0, 0.5}) {
+      const unsigned seed = 540;
+      CAPTURE(seed, factor, offset);
+      White white(seed);
+      Noise noise(Sensing::LinkSide, prior());
+      Regime regime;
+      const Block block = moving(0);
+      regime.update(block);
+      const Joints truth = factor * prior().noise;
+      // What lasts longer than a block is no noise.
+      for (int k = 0; k < 1000; ++k)
+        noise.learn(true, white(truth) + Joints::Constant(offset), truth.cwiseAbs2(), block, regime);
+      for (int j = 0; j < kDofs; ++j) {
+        CAPTURE(j);
+        CHECK(std::sqrt(noise.variance(j)) == Approx(truth[j]).epsilon(0.1));
+      }
+    }
+  }
+}
+
+TEST_CASE("SensorNoise: there is always some noise", "[noise]") {
+  Noise noise(Sensing::LinkSide, prior());
+  Regime regime;
+  const Block block = moving(0);
+  regime.update(block);
+  for (int k = 0; k < 5000; ++k) noise.learn(true, Joints::Zero(), Joints::Ones(), block, regime);
+  for (int j = 0; j < kDofs; ++j) CHECK(std::sqrt(noise.variance(j)) == Approx(0.004 * prior().residual[j]));
+}
+
+TEST_CASE("SensorNoise: an event is no noise, nor what lies between blocks that are no neighbours", "[noise]") {
+  const unsigned seed = 541;
+  CAPTURE(seed);
+  White white(seed);
+  Noise noise(Sensing::LinkSide, prior());
+  Regime regime;
+  const Block block = moving(0);
+  regime.update(block);
+  for (int k = 0; k < 1000; ++k) noise.learn(true, white(prior().noise), prior().noise.cwiseAbs2(), block, regime);
+  // A single jump counts for nine variances in five hundred blocks at most, and it is two differences.
+  const double before = noise.variance(0);
+  noise.learn(true, Joints::Constant(5), Joints::Ones(), block, regime);
+  noise.learn(true, Joints::Zero(), Joints::Ones(), block, regime);
+  CHECK(noise.variance(0) < 1.035 * before);
+  // Interrupted, or of the other hypothesis: no difference.
+  const double now = noise.variance(0);
+  noise.interrupt();
+  noise.learn(true, Joints::Constant(5), Joints::Ones(), block, regime);
+  CHECK(noise.variance(0) == now);
+  noise.learn(false, Joints::Constant(-5), Joints::Ones(), block, regime);
+  CHECK(noise.variance(0) == now);
+  noise.learn(false, Joints::Constant(-5), Joints::Ones(), block, regime);
+  CHECK(noise.variance(0) < now);
+}
+
+TEST_CASE("SensorNoise: nothing is learned of a joint that starts, stops or turns around", "[noise]") {
+  Noise noise(Sensing::JointFriction, prior());
+  Regime regime;
+  Block block = moving(0.3);
+  block.velocities(2, 3) = 0;  // joint 2 stops
+  regime.update(block);
+  REQUIRE_FALSE(regime.joint(2).steady());
+  for (int k = 0; k < 50; ++k) noise.learn(true, Joints::Zero(), Joints::Ones(), block, regime);
+  const auto arm = prior();
+  CHECK(noise.variance(2) == arm.noise[2] * arm.noise[2]);
+  CHECK(noise.variance(1) < 0.5 * arm.noise[1] * arm.noise[1]);
+  // Nor is what it was in such a block compared with the next one.
+  noise.learn(true, Joints::Constant(5), Joints::Ones(), block, regime);
+  const Block steady = moving(0.3);
+  regime.update(steady);
+  noise.learn(true, Joints::Zero(), Joints::Ones(), steady, regime);
+  CHECK(noise.variance(2) == arm.noise[2] * arm.noise[2]);
+}
+
+TEST_CASE("SensorNoise: correlated innovations raise the residual, anticorrelated ones let it sink", "[noise]") {
+  const unsigned seed = 542;
+  CAPTURE(seed);
+  for (const Sensing sensing : {Sensing::LinkSide, Sensing::JointFriction}) {
+    White white(seed);
+    Noise up(sensing, prior()), down(sensing, prior()), resting(sensing, prior());
+    const double start = residual(up);
+    Regime regime;
+    const Block block = moving(0.2);
+    regime.update(block);
+    Joints e = Joints::Zero(), last = Joints::Zero();
+    for (int k = 0; k < 500; ++k) {
+      const Joints w = white(Joints::Ones());
+      e = 0.9 * e + 0.44 * w;
+      up.learn(true, e, Joints::Ones(), block, regime);
+      resting.learn(true, e, Joints::Ones(), moving(0), regime);
+      down.learn(true, 0.7 * (w - last), Joints::Ones(), block, regime);
+      last = w;
+    }
+    CHECK(residual(up) > 3 * start);
+    CHECK(residual(down) < 0.51 * start);
+    // An arm that rests shows an offset, and no residual.
+    CHECK(residual(resting) == start);
+    // Bounded on both sides.
+    for (int k = 0; k < 20'000; ++k) {
+      const Joints w = white(Joints::Ones());
+      e = 0.9 * e + 0.44 * w;
+      up.learn(true, e, Joints::Ones(), block, regime);
+      down.learn(true, 0.7 * (w - last), Joints::Ones(), block, regime);
+      last = w;
+    }
+    CHECK(residual(up) == Approx(sensing == Sensing::LinkSide ? 0.1 : 4));
+    CHECK(residual(down) == Approx(sensing == Sensing::LinkSide ? 0.01 : 0.002));
+  }
+}
+
+/// One joint's residual by a scalar Kalman filter that believes in the scale that is being learned: what the bank does.
+TEST_CASE("SensorNoise: a residual of known size is learned to a factor of 1.6 by a filter that uses what is learned",
+          "[noise]") {
+  // Random walks in the scale's logarithm: a seed each, and their median.
+  const double keep = std::exp(-0.2 * std::sqrt(7.0) * 0.02 / 0.7), sensor = 0.01;
+  const auto arm = prior();
+  for (const double truth : {0.01, 0.03, 0.08}) {
+    CAPTURE(truth);
+    const unsigned seed = 543;
+    CAPTURE(seed);
+    White white(seed);
+    Noise noise(Sensing::LinkSide, arm);
+    Regime regime;
+    const Block block = moving(0.2);
+    regime.update(block);
+    Joints state = truth * white(arm.residual), mean = Joints::Zero();
+    Joints variance = Joints::Constant(4e-4);
+    double log_sum = 0;
+    int count = 0;
+    for (int k = 0; k < 6000; ++k) {
+      state = keep * state + std::sqrt(1 - keep * keep) * truth * white(arm.residual);
+      const Joints y = state + white(Joints::Constant(sensor));
+      Joints e, S;
+      for (int j = 0; j < kDofs; ++j) {
+        mean[j] *= keep;
+        variance[j] = keep * keep * variance[j] + (1 - keep * keep) * noise.residual_variance(j);
+        e[j] = y[j] - mean[j];
+        S[j] = variance[j] + sensor * sensor;
+        mean[j] += variance[j] / S[j] * e[j];
+        variance[j] -= variance[j] * variance[j] / S[j];
+      }
+      noise.learn(true, e, S, block, regime);
+      if (k < 2000) continue;
+      log_sum += std::log(residual(noise) / truth);
+      ++count;
+    }
+    const double ratio = std::exp(log_sum / count);
+    CHECK(ratio > 1 / 1.6);
+    CHECK(ratio < 1.6);
+  }
+}
+
+}  // namespace
