@@ -113,7 +113,6 @@ Estimator<Scalar, Dofs>::Estimator(double dt, const Config& config)
   const int ticks = static_cast<int>(BlockAverager<Scalar, Dofs>::kDuration / dt / 4);
   steps_per_tick_ = Tracker<Scalar, Dofs>::kSteps / std::max(1, ticks) + 1;
   publish();
-  state_.event = Event();
 }
 
 template <typename Scalar, int Dofs>
@@ -127,8 +126,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   jacobian_ = in.jacobian;
   rotation_ = in.rotation;
   const bool complete = averager_.add(sample, dt, state_.time);
-  const Torque carried_torque = -carried(in.jacobian, in.rotation);
-  guard_.update(averager_.torque(), carried_torque, static_cast<Scalar>(dt));
+  guard_.update(averager_.torque(), -carried(in.jacobian, in.rotation), static_cast<Scalar>(dt));
   expected_ = std::max(0.0, expected_ - dt);
   // A Jacobian of zeros says nothing of what hangs on the arm.
   if (complete && !inhibited_ && in.jacobian.squaredNorm() > 0) tracker_.begin(averager_.block(), expected_ > 0);
@@ -170,10 +168,8 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
     held.mean.template tail<3>().setZero();
     held.covariance.setZero();
     held.covariance.diagonal().template tail<3>() = payload_prior_.com_std.cwiseAbs2();
-    held.covariance(0, 0) = std::max(variance, least * least);
-  } else {
-    held.covariance(0, 0) = std::max(variance, least * least);
   }
+  held.covariance(0, 0) = std::max(variance, least * least);
   state_.payload = held;
   state_.confidence = share() / excess;
 }

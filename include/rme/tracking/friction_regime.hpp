@@ -71,14 +71,14 @@ class FrictionRegime {
   FrictionRegime() noexcept { joint_rests_.fill(true); }
 
  private:
-  static constexpr double kMoves = 1e-4;     // [rad/s]
-  static constexpr double kArmMoves = 1e-3;  // norm of dq [rad/s]
-  static constexpr double kBlend = 0.02;     // of a block: a second of memory
-  std::array<JointFriction<Scalar>, static_cast<std::size_t>(Dofs)> joints_{};
-  std::array<bool, static_cast<std::size_t>(Dofs)> joint_rests_{};
+  static constexpr double kMoves = 1e-4;            // [rad/s]
+  static constexpr double kArmMoves = 1e-3;         // norm of dq [rad/s]
+  static constexpr double kBlend = 0.02;            // of a block: a second of memory
   static constexpr double kNoisy = 1e-3;            // threshold from which on slow motion is looked for [rad/s]
   static constexpr double kSlowBlend = 0.2;         // of a block: a tenth of a second
   static constexpr double kSlowNoise = 3 * 0.0745;  // three deviations of that average, of blocks of 20 samples
+  std::array<JointFriction<Scalar>, static_cast<std::size_t>(Dofs)> joints_{};
+  std::array<bool, static_cast<std::size_t>(Dofs)> joint_rests_{};
   JointVector<Scalar, Dofs> slow_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> noise_ = JointVector<Scalar, Dofs>::Constant(Scalar(1e-8));
   bool arm_moves_ = false;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <rme/core/cholesky.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/friction_regime.hpp>
@@ -64,7 +66,7 @@ class HypothesisBank {
     return static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
   }
   void mix(Hypothesis h) noexcept;
-  Scalar update(Star& star, bool learn) noexcept;
+  Scalar update(Star& star) noexcept;
   Scalar push_likelihood(const Star& star) noexcept;
   void evaluate_exchange(Star& star) noexcept;
   InertialMatrix<Scalar> filling(const Star& star) const noexcept;
@@ -173,13 +175,13 @@ void HypothesisBank<Scalar, Dofs>::evaluate(std::size_t step) noexcept {
   model_.predict(star);
   switch (h) {
     case Hypothesis::Empty:
-      likelihood_[h] = update(star, true);
+      likelihood_[h] = update(star);
       break;
     case Hypothesis::Filling:
       star.diffuse(filling(star));
       [[fallthrough]];
     case Hypothesis::Steady:
-      likelihood_[h] = update(star, true);
+      likelihood_[h] = update(star);
       likelihood_[h] += log_plausible(star);
       break;
     case Hypothesis::Exchanged:
@@ -261,7 +263,7 @@ void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
 /// Takes the block in, joint by joint.
 /// @return log likelihood
 template <typename Scalar, int Dofs>
-Scalar HypothesisBank<Scalar, Dofs>::update(Star& star, bool learn) noexcept {
+Scalar HypothesisBank<Scalar, Dofs>::update(Star& star) noexcept {
   using std::exp;
   using std::log;
   const auto h = static_cast<std::size_t>(&star - next_.data());
@@ -281,10 +283,8 @@ Scalar HypothesisBank<Scalar, Dofs>::update(Star& star, bool learn) noexcept {
       log_likelihood += log_density(p.variance);
     }
     squared += square / p.variance;
-    if (learn) {
-      innovation_.values[h][j] = p.innovation;
-      variance_.values[h][j] = p.variance;
-    }
+    innovation_.values[h][j] = p.innovation;
+    variance_.values[h][j] = p.variance;
     star.observe(j, p);
   }
   squared_.values[h] = squared / Scalar(Dofs);
@@ -298,11 +298,11 @@ void HypothesisBank<Scalar, Dofs>::evaluate_exchange(Star& star) noexcept {
   const Hypothesis h = Hypothesis::Exchanged;
   const Star base = star;
   star.replace_payload(payload_.mean(), payload_.factor(payload_.square_mass()));
-  (void)update(star, false);
+  (void)update(star);
   const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, star.mean()[0]));
   star = base;
   star.replace_payload(payload_.mean(), payload_.factor(mass * mass));
-  likelihood_[h] = update(star, false);
+  likelihood_[h] = update(star);
   likelihood_[h] += log_plausible(star);
 }
 
@@ -310,8 +310,6 @@ void HypothesisBank<Scalar, Dofs>::evaluate_exchange(Star& star) noexcept {
 /// w ~ N(0, S) beside the payload, J^T S J more noise.
 template <typename Scalar, int Dofs>
 Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept {
-  using std::log;
-  using std::sqrt;
   constexpr int n = Dofs;
   Eigen::Matrix<Scalar, n, n> S;
   JointVector<Scalar, Dofs> e, independent;
@@ -329,18 +327,14 @@ Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept 
   S = spread.lazyProduct(spread.transpose());
   S += wrench.lazyProduct(wrench.transpose());
   S.diagonal() += independent;
-  // log det and e^T S^-1 e by a Cholesky factorisation in place.
-  Scalar log_likelihood = Scalar(0), squared = Scalar(0);
-  for (int j = 0; j < n; ++j) {
-    const Scalar pivot = std::max(S(j, j) - S.row(j).head(j).squaredNorm(), model_.noise().variance(j) * Scalar(1e-3));
-    S(j, j) = sqrt(pivot);
-    for (int i = j + 1; i < n; ++i) S(i, j) = (S(i, j) - S.row(i).head(j).dot(S.row(j).head(j))) / S(j, j);
-    e[j] = (e[j] - S.row(j).head(j).dot(e.head(j))) / S(j, j);
-    squared += e[j] * e[j];
-    log_likelihood -= Scalar(0.5) * (e[j] * e[j] + log(pivot));
-  }
+  // What rounding may take off a pivot: torques that no wrench makes are known a hundred times better than those that
+  // one does, which is as far as a float's square reaches.
+  S.diagonal().array() += 16 * Eigen::NumTraits<Scalar>::epsilon() * S.diagonal().maxCoeff();
+  const Cholesky<Scalar, n> factor(S);
+  if (!factor.positive_definite()) return -std::numeric_limits<Scalar>::infinity();  // out of the question
+  const Scalar squared = factor.solve_lower(e).squaredNorm();
   squared_[Hypothesis::Pushed] = squared / Scalar(n);
-  return log_likelihood;
+  return Scalar(-0.5) * squared - factor.log_det_lower();
 }
 
 /// Covariance of what is poured in within a block: any mass, with its centre about where the payload's is.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <rme/core/flange_motion.hpp>
-#include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
 #include <rme/sensing/proprioception.hpp>
@@ -41,8 +40,8 @@ template <typename Scalar, int Dofs>
 class BlockAverager {
  public:
   static constexpr double kDuration = 0.02;  ///< of a block [s]
-  static constexpr double kObserverPeriod =
-      0.001;  ///< of the arm's own observer, which may be faster than the host [s]
+  /// Of the arm's own observer, which may be faster than the host [s].
+  static constexpr double kObserverPeriod = 0.001;
 
   /// @param bandwidth  K of the observer that tau_ext has gone through [rad/s]; 0 if it is unfiltered
   /// @param gravity    g [m/s^2], world axes

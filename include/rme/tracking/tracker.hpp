@@ -48,7 +48,7 @@ class Tracker {
   /// Starts to take in a block; one that is not finished is finished first.
   /// @param exchange_likely  the host says that the payload changes now
   void begin(const TorqueBlock<Scalar, Dofs>& block, bool exchange_likely) noexcept {
-    while (step_ > 0) advance();
+    settle();
     regime_.update(block);
     duration_ = block.duration;
     speed_ = block.velocity.norm();
