@@ -73,9 +73,6 @@ class Estimator {
   static constexpr double kExpected = 0.3;  // for which a change that the host announced is waited for [s]
   static constexpr double kHealthy = 3;     // up to which innovations are as the model says, but for chance
 
-  static double odds(SensingPrior sensing) noexcept {
-    return sensing == SensingPrior::Unknown ? 0 : sensing == SensingPrior::LinkSide ? -1e3 : 1e3;
-  }
   Torque carried(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
     return compensation_torque<Scalar, Dofs>(state_.payload.payload(), jacobian, rotation, config_.gravity);
   }
@@ -108,7 +105,7 @@ Estimator<Scalar, Dofs>::Estimator(double dt, const Config& config)
       payload_prior_(config.payload.value_or(PayloadPrior<Scalar>::of(config.rated_payload))),
       averager_(config.observer_bandwidth, config.gravity),
       tracker_(config.arm.value_or(ArmPrior<Scalar, Dofs>::of(config.rated_payload)), payload_prior_,
-               config.rated_payload, odds(config.sensing)) {
+               config.rated_payload, config.sensing) {
   // A quarter of the ticks between two blocks, so that what a block says is known soon.
   const int ticks = static_cast<int>(BlockAverager<Scalar, Dofs>::kDuration / dt / 4);
   steps_per_tick_ = Tracker<Scalar, Dofs>::kSteps / std::max(1, ticks) + 1;
@@ -154,7 +151,7 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   state_.probability = belief.probability;
   state_.inertial = belief.payload;
   state_.health = belief.health;
-  state_.friction_shows = belief.friction_shows;
+  state_.sensing = belief.sensing;
   PayloadGaussian<Scalar> held = payload_of(belief.payload, payload_prior_);
   // Far more unexplained than the model says: what it says of its own accuracy does not hold either.
   const Scalar excess = std::max(Scalar(1), belief.health / Scalar(kHealthy));

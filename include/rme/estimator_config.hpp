@@ -11,13 +11,6 @@
 
 namespace rme {
 
-/// What is known of an arm's torque sensing before it moves.
-enum class SensingPrior : std::uint8_t {
-  Unknown,        ///< the arm is to show it
-  LinkSide,       ///< behind the gears: no friction in tau_ext
-  JointFriction,  ///< friction shows in tau_ext
-};
-
 /// Settings of Estimator; the defaults suit a Panda. docs/tuning.md says how to know each.
 template <typename Scalar, int Dofs>
 struct EstimatorConfig {
@@ -29,7 +22,8 @@ struct EstimatorConfig {
   /// Bandwidth of the first-order filter that tau_ext has gone through [rad/s]: the gain K of the arm's momentum
   /// observer; 0 if the torque is unfiltered.
   double observer_bandwidth = 50;
-  SensingPrior sensing = SensingPrior::Unknown;
+  /// Kind of torque sensing, if it is known; otherwise the arm is to show it.
+  std::optional<Sensing> sensing = std::nullopt;
   /// Sizes of the joints' noise, offset and friction, where they are known better than ArmPrior::of(rated_payload).
   std::optional<ArmPrior<Scalar, Dofs>> arm = std::nullopt;
   /// What is likely to be picked up, where that is known better than PayloadPrior::of(rated_payload).

@@ -93,9 +93,9 @@ std::vector<typename Vector::Scalar> write_vector(const Vector& v) {
 
 inline constexpr TorqueSign kSigns[] = {TorqueSign::External, TorqueSign::Reaction};
 inline constexpr const char* kSignNames[] = {"external", "reaction"};
-inline constexpr SensingPrior kSensings[] = {SensingPrior::Unknown, SensingPrior::LinkSide,
-                                             SensingPrior::JointFriction};
-inline constexpr const char* kSensingNames[] = {"unknown", "link_side", "joint_friction"};
+inline constexpr std::optional<Sensing> kSensingValues[] = {std::nullopt, Sensing::LinkSide, Sensing::JointFriction,
+                                                            Sensing::RoughModel};
+inline constexpr const char* kSensingNames[] = {"unknown", "link_side", "joint_friction", "rough_model"};
 
 }  // namespace detail
 
@@ -113,7 +113,7 @@ EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& o
   if (const auto* v = reader.find("observer_bandwidth"))
     config.observer_bandwidth = detail::read_number<double>(*v, "observer_bandwidth");
   if (const auto* v = reader.find("sensing"))
-    config.sensing = detail::read_name(*v, "sensing", detail::kSensings, detail::kSensingNames);
+    config.sensing = detail::read_name(*v, "sensing", detail::kSensingValues, detail::kSensingNames);
   if (const auto* v = reader.find("arm")) {
     const detail::SettingsReader arm(*v, "arm", {"noise", "offset", "residual", "coulomb", "viscous"});
     const auto vector = [&](const char* key) { return detail::read_vector<Vector>(arm.at(key), arm.name_of(key)); };
@@ -141,7 +141,7 @@ nlohmann::json estimator_config_to_json(const EstimatorConfig<Scalar, Dofs>& con
   out["torque_sign"] = detail::kSignNames[config.torque_sign == TorqueSign::External ? 0 : 1];
   out["rated_payload"] = config.rated_payload;
   out["observer_bandwidth"] = config.observer_bandwidth;
-  out["sensing"] = detail::kSensingNames[static_cast<std::size_t>(config.sensing)];
+  out["sensing"] = detail::kSensingNames[config.sensing ? static_cast<std::size_t>(*config.sensing) + 1 : 0];
   if (config.arm) {
     out["arm"] = {{"noise", detail::write_vector(config.arm->noise)},
                   {"offset", detail::write_vector(config.arm->offset)},

@@ -1,8 +1,10 @@
 #pragma once
 /// All that a host can read of an Estimator, as one plain struct.
+#include <array>
 #include <rme/core/payload.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/payload_gaussian.hpp>
+#include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/event_monitor.hpp>
 #include <rme/tracking/hypothesis.hpp>
 #include <rme/tracking/payload_belief.hpp>
@@ -25,7 +27,7 @@ struct EstimatorState {
   /// Normalised innovation squared over the last second: 1 if the arm does what its model and this payload say, above
   /// 10 if not; 100 at most.
   Scalar health = Scalar(1);
-  Scalar friction_shows = Scalar(0);            ///< probability that tau_ext holds joint friction
+  std::array<Scalar, kSensings> sensing{};      ///< probability of each kind of torque sensing (Sensing), sum one
   bool changing = false;                        ///< an event is going on
   double change_onset = 0, change_noticed = 0;  ///< of the event that is going on
   Event event;                                  ///< the last one that is over

@@ -1,6 +1,7 @@
 #pragma once
 /// What is believed of an arm and of what it may pick up, before the first sample.
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <rme/core/types.hpp>
 #include <rme/inference/payload_gaussian.hpp>
@@ -12,7 +13,9 @@ namespace rme {
 enum class Sensing : std::uint8_t {
   LinkSide,       ///< behind the gears: the sensor sees no friction
   JointFriction,  ///< joint friction shows in tau_ext
+  RoughModel,     ///< so does what the arm's model gets wrong: motor currents, heavy gears, quick motion
 };
+inline constexpr std::size_t kSensings = 3;
 
 /// Priors over the joints' nuisances, per joint. An arm's torques grow with what it lifts, so that one number scales
 /// them: the defaults are what a Panda (3 kg) shows, times rated_payload / 3 kg; the last three joints, the wrist's,

@@ -21,7 +21,7 @@ struct JointFriction {
 };
 
 /// Tells resting joints from moving ones. A joint moves if the mean of dq over a quarter of a block exceeds 1e-4 rad/s
-/// and three standard deviations of its noise, which is learned from second differences.
+/// and three standard deviations of its noise.
 template <typename Scalar, int Dofs>
 class FrictionRegime {
  public:
@@ -29,16 +29,15 @@ class FrictionRegime {
     using std::abs;
     using std::sqrt;
     bool any_creeps = false;
+    const auto samples = static_cast<Scalar>(std::max(1, block.samples));
     for (int j = 0; j < Dofs; ++j) {
-      // Slowly, and with single large values cut: accelerations that change are no noise.
-      noise_[j] += Scalar(kBlend) * (std::min(block.velocity_noise[j], 25 * noise_[j] + Scalar(1e-8)) - noise_[j]);
-      const Scalar samples = std::max(Scalar(1), block.duration / (kBlockParts * Scalar(1e-3)));
-      const Scalar threshold = std::max(Scalar(kMoves), 3 * sqrt(noise_[j] / samples));
+      const Scalar noise = block.velocity_noise[j];
+      const Scalar threshold = std::max(Scalar(kMoves), 3 * sqrt(kBlockParts * noise / samples));
       JointFriction<Scalar>& joint = joints_[static_cast<std::size_t>(j)];
       const bool rested = joint_rests_[static_cast<std::size_t>(j)];
       // Slow motion under noise shows over some blocks only.
       slow_[j] += Scalar(kSlowBlend) * (block.velocity[j] - slow_[j]);
-      const Scalar slow_threshold = std::max(Scalar(kMoves), sqrt(noise_[j]) * Scalar(kSlowNoise));
+      const Scalar slow_threshold = std::max(Scalar(kMoves), 3 * sqrt(noise * Scalar(kSlowShare) / samples));
       const bool creeps = threshold > Scalar(kNoisy) && abs(slow_[j]) > slow_threshold;
       any_creeps = any_creeps || creeps;
       int moving = 0;
@@ -58,29 +57,25 @@ class FrictionRegime {
       joint_rests_[static_cast<std::size_t>(j)] = rests;
     }
     // Noise of dq alone is no motion: three deviations of what it leaves of the norm of a block's mean.
-    const Scalar noise = noise_.sum() / std::max(Scalar(1), block.duration / Scalar(1e-3));
+    const Scalar noise = block.velocity_noise.sum() / samples;
     arm_moves_ = any_creeps || block.velocity.norm() > std::max(Scalar(kArmMoves), 3 * sqrt(noise));
   }
   const JointFriction<Scalar>& joint(int j) const noexcept { return joints_[static_cast<std::size_t>(j)]; }
   bool rests(int j) const noexcept { return joint_rests_[static_cast<std::size_t>(j)]; }
-  /// Variance of a sample of dq [(rad/s)^2].
-  const JointVector<Scalar, Dofs>& velocity_noise() const noexcept { return noise_; }
   /// Whether any joint moves, so that what holds a resting one may change.
   bool arm_moves() const noexcept { return arm_moves_; }
 
   FrictionRegime() noexcept { joint_rests_.fill(true); }
 
  private:
-  static constexpr double kMoves = 1e-4;            // [rad/s]
-  static constexpr double kArmMoves = 1e-3;         // norm of dq [rad/s]
-  static constexpr double kBlend = 0.02;            // of a block: a second of memory
-  static constexpr double kNoisy = 1e-3;            // threshold from which on slow motion is looked for [rad/s]
-  static constexpr double kSlowBlend = 0.2;         // of a block: a tenth of a second
-  static constexpr double kSlowNoise = 3 * 0.0745;  // three deviations of that average, of blocks of 20 samples
+  static constexpr double kMoves = 1e-4;     // [rad/s]
+  static constexpr double kArmMoves = 1e-3;  // norm of dq [rad/s]
+  static constexpr double kNoisy = 1e-3;     // threshold from which on slow motion is looked for [rad/s]
+  static constexpr double kSlowBlend = 0.2;  // of a block: a tenth of a second
+  static constexpr double kSlowShare = kSlowBlend / (2 - kSlowBlend);  // of a block's variance, that it leaves
   std::array<JointFriction<Scalar>, static_cast<std::size_t>(Dofs)> joints_{};
   std::array<bool, static_cast<std::size_t>(Dofs)> joint_rests_{};
   JointVector<Scalar, Dofs> slow_ = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> noise_ = JointVector<Scalar, Dofs>::Constant(Scalar(1e-8));
   bool arm_moves_ = false;
 };
 

@@ -59,12 +59,14 @@ class HypothesisBank {
   static constexpr std::size_t index(Hypothesis h) noexcept { return static_cast<std::size_t>(h); }
   /// Of a hypothesis that enters another by less than this, nothing is mixed in.
   static constexpr double kNegligible = 1e-4;
+  static constexpr double kAge = 0.1 - 1e-6;  // [s]
 
   Star& next(Hypothesis h) noexcept { return next_[index(h)]; }
   std::size_t likeliest() const noexcept {
     const auto& p = probability_.values;
     return static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
   }
+  const Star& source(std::size_t from, Hypothesis to) const noexcept;
   void mix(Hypothesis h) noexcept;
   Scalar update(Star& star) noexcept;
   Scalar push_likelihood(const Star& star) noexcept;
@@ -78,7 +80,9 @@ class HypothesisBank {
   PayloadPrior<Scalar> payload_;
   Scalar rated_;
   std::array<Star, kHypotheses> stars_, next_;
-  Star before_;  // of the last block in which nothing happened
+  // Of a block in which nothing happened, 0.1 to 0.2 s ago, and of one less long ago, with what may have changed since.
+  Star before_, recent_;
+  Scalar age_ = Scalar(0);  // of recent_ [s]
   PerHypothesis<Scalar> probability_;
 
   // of the block that is being taken in
@@ -99,7 +103,7 @@ HypothesisBank<Scalar, Dofs>::HypothesisBank(Sensing sensing, const ArmPrior<Sca
       rated_(rated_payload) {
   const Star star = model_.prior();
   stars_.fill(star);
-  before_ = star;
+  before_ = recent_ = star;
   for (const Hypothesis h : {Hypothesis::Steady, Hypothesis::Filling, Hypothesis::Exchanged})
     stars_[index(h)].replace_payload(payload.mean(), payload.factor(payload.square_mass()));
   // An arm is switched on with an empty hand, or else says so soon.
@@ -111,7 +115,7 @@ void HypothesisBank<Scalar, Dofs>::believe(Hypothesis h, Scalar probability) noe
   if (h == Hypothesis::Empty) {  // of a hand that was long not empty, the filter for an empty one knows old offsets
     before_ = stars_[likeliest()];
     before_.empty_payload();
-    stars_[index(h)] = before_;
+    stars_[index(h)] = recent_ = before_;
   }
   for (Scalar& p : probability_.values) p *= Scalar(1) - probability;
   probability_[h] += probability;
@@ -123,7 +127,7 @@ void HypothesisBank<Scalar, Dofs>::set_payload(const InertialVector<Scalar>& mea
   Star& steady = stars_[index(Hypothesis::Steady)];
   steady = stars_[likeliest()];
   steady.replace_payload(mean, factor);
-  before_ = steady;
+  before_ = recent_ = steady;
 }
 
 template <typename Scalar, int Dofs>
@@ -135,6 +139,8 @@ template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                          const FrictionRegime<Scalar, Dofs>& regime, bool exchange_likely) noexcept {
   model_.begin(block, regime);
+  model_.predict(before_);
+  model_.predict(recent_);
   exchange_likely_ = exchange_likely;
   for (std::size_t to = 0; to < kHypotheses; ++to) {
     Scalar sum = Scalar(0);
@@ -221,12 +227,28 @@ Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
   const Hypothesis sure =
       probability_[Hypothesis::Empty] > probability_[Hypothesis::Steady] ? Hypothesis::Empty : Hypothesis::Steady;
   if (probability_[sure] > Scalar(0.9)) {
-    before_ = stars_[index(sure)];
+    age_ += model_.block().duration;
+    if (age_ > Scalar(kAge)) {
+      before_ = recent_;
+      recent_ = stars_[index(sure)];
+      age_ = Scalar(0);
+    }
     model_.learn(sure == Hypothesis::Empty, innovation_[sure], variance_[sure]);
   } else {
     model_.interrupt();
   }
   return highest + log(total);
+}
+
+/// What is known of an arm in which `to` begins, having been in `from`. A change has gone on for a while before it is
+/// noticed, and nuisances have taken on a share of it: what follows a change starts from before. An exchange that turns
+/// out to be a push was none: what was held before it is held still.
+template <typename Scalar, int Dofs>
+auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const noexcept -> const Star& {
+  const auto h = static_cast<Hypothesis>(from);
+  const bool change = to == Hypothesis::Exchanged || (to == Hypothesis::Empty && h != to) ||
+                      (to == Hypothesis::Pushed && h == Hypothesis::Exchanged);
+  return change ? before_ : stars_[from];
 }
 
 /// What the filters said of the nuisances and the payload before this block, as far as each leads to `h`.
@@ -245,17 +267,15 @@ void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
     ++parts;
   }
   Star& out = next(h);
-  if (parts <= 1) {
-    out = h == Hypothesis::Pushed && static_cast<Hypothesis>(last) == Hypothesis::Exchanged ? before_ : stars_[last];
+  if (parts <= 1 || h == Hypothesis::Exchanged) {
+    out = source(last, h);
     if (anew) out.empty_payload();
     return;
   }
   std::array<const Star*, kHypotheses> from{};
   for (std::size_t i = 0; i < kHypotheses; ++i) {
     weight[i] /= sum;
-    // An exchange that turns out to be a push was none: what was held before it is held still.
-    const bool was_none = h == Hypothesis::Pushed && static_cast<Hypothesis>(i) == Hypothesis::Exchanged;
-    from[i] = was_none ? &before_ : &stars_[i];
+    from[i] = &source(i, h);
   }
   out = anew ? Star::mix_emptied(from, weight) : Star::mix(from, weight);
 }

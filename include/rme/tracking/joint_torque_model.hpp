@@ -41,7 +41,7 @@ class JointTorqueModel {
       joint.mean[kViscous] = arm_.viscous[j];
       joint.covariance(kCoulomb, kCoulomb) = Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];
       joint.covariance(kViscous, kViscous) = Scalar(0.25) * arm_.viscous[j] * arm_.viscous[j];
-      joint.covariance(kStiction, kStiction) = Scalar(0.36) * arm_.coulomb[j] * arm_.coulomb[j];
+      joint.covariance(kStiction, kStiction) = stiction_variance(j);
     }
     return star;
   }
@@ -55,7 +55,7 @@ class JointTorqueModel {
   /// may be anywhere within its friction [(N m)^2]. 0 if it cannot have.
   Scalar stiction_jump(int j) const noexcept {
     if (sensing_ == Sensing::LinkSide || regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
-    return Scalar(2.25) * arm_.coulomb[j] * arm_.coulomb[j];
+    return Scalar(6.25) * stiction_variance(j);
   }
   /// Forgets how sure the offset was.
   void reopen_offset(Star& star) const noexcept {
@@ -72,6 +72,18 @@ class JointTorqueModel {
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }
 
  private:
+  // Of the residual's variance, where the arm's model is rough: what gears hold at rest, and the noise of a joint that
+  // starts, stops or turns back.
+  static constexpr double kRoughStiction = 16;
+  static constexpr double kTurnNoise = 3;
+
+  void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
+  /// Of what may hold a resting joint [(N m)^2].
+  Scalar stiction_variance(int j) const noexcept {
+    const Scalar off = Scalar(0.6) * arm_.coulomb[j];
+    if (sensing_ == Sensing::RoughModel) return off * off + Scalar(kRoughStiction) * noise_.residual_variance(j);
+    return off * off;
+  }
   Sensing sensing_;
   ArmPrior<Scalar, Dofs> arm_;
   Scalar inertia_arm_;
@@ -79,26 +91,32 @@ class JointTorqueModel {
   bool started_ = false;
   TorqueBlock<Scalar, Dofs> block_;
   FrictionRegime<Scalar, Dofs> regime_;
+  // How far friction has turned over in this block, and lately (turn()).
+  JointVector<Scalar, Dofs> turned_ = JointVector<Scalar, Dofs>::Zero(), turning_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> timing_noise_, inertia_noise_;  // [(N m)^2], [(N m / kg)^2]
 };
 
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                            const FrictionRegime<Scalar, Dofs>& regime) noexcept {
-  constexpr double kTiming = 0.03;
+  constexpr double kTiming = 0.0006;  // [s]
   // tau and the motion that goes with it may be a millisecond apart; and the lag of an observer that is not quite what
   // it is said to be is left in as a share of every change.
-  timing_noise_ = started_ ? JointVector<Scalar, Dofs>((Scalar(kTiming) * (block.tau - block_.tau)).cwiseAbs2())
+  const Scalar share = Scalar(kTiming) / block.duration;
+  timing_noise_ = started_ ? JointVector<Scalar, Dofs>((share * share) * (block.tau - block_.tau).cwiseAbs2())
                            : JointVector<Scalar, Dofs>(JointVector<Scalar, Dofs>::Zero());
   // Torque that comes in steps stands still between them: what it is off by stays for many blocks.
   timing_noise_ += Scalar(0.3) * block.torque_step.cwiseAbs2();
+  turn(block);
   started_ = true;
   // Noise of dq at both ends of the block is noise of the flange's acceleration: of the force on the payload, and of
   // the moment that turns it, whose arm is the prior's.
   const Jacobian<Scalar, Dofs> squares = block.jacobian.cwiseAbs2();
-  const Vector6<Scalar> twist_noise = squares * regime.velocity_noise();
-  // Two ends make 2; 5, since the joints all see the same noise, which is left out otherwise.
-  const Scalar difference = Scalar(5) / (block.duration * block.duration);
+  const Vector6<Scalar> twist_noise = squares * block.velocity_noise;
+  // The slope of n samples has 12 / n, that of a few samples what two ends make; and 2.5 times that, since the joints
+  // all see the same noise, which is left out otherwise.
+  const auto samples = static_cast<Scalar>(std::max(1, block.samples));
+  const Scalar difference = Scalar(2.5) * std::min(Scalar(2), Scalar(12) / samples) / (block.duration * block.duration);
   const Scalar linear = difference * twist_noise.template head<3>().mean();
   const Scalar angular = difference * twist_noise.template tail<3>().mean();
   inertia_noise_ = linear * squares.template topRows<3>().colwise().sum().transpose();
@@ -108,18 +126,40 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   regime_ = regime;
 }
 
+/// How far each joint's friction has turned over: a change of v / (|v| + kSlow), 1 from rest to motion, 2 for a
+/// reversal.
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::turn(const TorqueBlock<Scalar, Dofs>& block) noexcept {
+  using std::abs;
+  using std::exp;
+  constexpr double kSlow = 0.05;     // [rad/s]
+  constexpr double kTurnTime = 0.2;  // that it takes friction to settle [s]
+  if (!started_) return;
+  const Scalar keep = exp(-block.duration / Scalar(kTurnTime));
+  for (int j = 0; j < Dofs; ++j) {
+    const auto direction = [](Scalar velocity) { return velocity / (abs(velocity) + Scalar(kSlow)); };
+    turned_[j] = abs(direction(block.velocity[j]) - direction(block_.velocity[j]));
+    turning_[j] = std::max(std::min(Scalar(1), turned_[j]), keep * turning_[j]);
+  }
+}
+
 /// The nuisances' own lives over a block.
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
   using std::exp;
   // The residual is a function of the pose: an Ornstein-Uhlenbeck process over the way that the joints have gone.
   constexpr double kCorrelationWay = 0.7;  // [rad]
+  constexpr double kRoughWay = 1.2;
+  constexpr double kCreepTime = 2;         // in which friction of a rough arm at rest creeps [s]
   constexpr double kOffsetDrift = 2e-4;    // of the arm's scale, per block [N m]
   constexpr double kFrictionDrift = 1e-4;  // of friction itself, per block: it changes as the gears warm up
   constexpr double kStictionTime = 20;     // [s]
+  const bool rough = sensing_ == Sensing::RoughModel;
   const Scalar way = block_.velocity.norm() * block_.duration;
-  const Scalar keep = exp(-way / Scalar(kCorrelationWay));
-  const Scalar hold = regime_.arm_moves() ? exp(-block_.duration / Scalar(kStictionTime)) : Scalar(1);
+  const Scalar keep = exp(-way / Scalar(rough ? kRoughWay : kCorrelationWay));
+  const Scalar hold = rough                 ? exp(-block_.duration / Scalar(kCreepTime))
+                      : regime_.arm_moves() ? exp(-block_.duration / Scalar(kStictionTime))
+                                            : Scalar(1);
   for (int j = 0; j < Dofs; ++j) {
     auto& joint = star.joint(j);
     auto& V = joint.covariance;
@@ -129,8 +169,9 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
       V.row(n) *= by;
       V.col(n) *= by;
     };
-    scale(kResidual, keep);
-    V(kResidual, kResidual) += (Scalar(1) - keep * keep) * noise_.residual_variance(j);
+    const Scalar kept = rough ? keep * exp(-turned_[j]) : keep;
+    scale(kResidual, kept);
+    V(kResidual, kResidual) += (Scalar(1) - kept * kept) * noise_.residual_variance(j);
     const Scalar drift = Scalar(kOffsetDrift) * arm_.residual[j];
     V(kOffset, kOffset) += drift * drift;
     if (sensing_ == Sensing::LinkSide) continue;
@@ -146,11 +187,10 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
       V.row(kStiction) = d * V.row(kCoulomb);
       V.col(kStiction) = V.row(kStiction).transpose();
       const Scalar off = Scalar(0.15) * joint.mean[kCoulomb];
-      V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
+      V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + (rough ? stiction_variance(j) : off * off);
     } else if (regime_.rests(j)) {
       scale(kStiction, hold);
-      const Scalar off = Scalar(0.6) * arm_.coulomb[j];
-      V(kStiction, kStiction) += (Scalar(1) - hold * hold) * off * off;
+      V(kStiction, kStiction) += (Scalar(1) - hold * hold) * stiction_variance(j);
     }
   }
 }
@@ -165,6 +205,7 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
     o.c << 1, 0, 0, 1, 0;
     return o;
   }
+  if (sensing_ == Sensing::RoughModel) o.noise += Scalar(kTurnNoise) * turning_[j] * noise_.residual_variance(j);
   const JointFriction<Scalar>& friction = regime_.joint(j);
   o.c << 1, -friction.direction, -block_.velocity[j], 1, friction.resting;
   if (!friction.steady()) o.noise += Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];  // when within the block?

@@ -18,19 +18,21 @@ namespace rme {
 ///
 /// Residual, one scale for all joints: if it is right, innovations are white. If they are correlated with those before,
 /// the residual is larger than assumed, and smaller if they are anticorrelated (Mehra, IEEE Trans. Automatic Control
-/// 1970). Only blocks in which the arm moves count.
+/// 1970). A residual that is smoother than the model's would never leave them white, however large: where it may be
+/// large, innovations that are smaller than their variance says count against it. Only blocks in which the arm moves
+/// count.
 template <typename Scalar, int Dofs>
 class SensorNoise {
  public:
   using Vector = JointVector<Scalar, Dofs>;
 
   SensorNoise(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm) noexcept
-      : share_(arm.residual),
+      : rough_(sensing == Sensing::RoughModel),
+        share_(arm.residual),
         variance_(arm.noise.cwiseAbs2()),
         floor_((Scalar(kLeastNoise) * arm.residual).cwiseAbs2()),
-        residual_(Scalar(sensing == Sensing::LinkSide ? kLinkSideResidual : kFrictionResidual)),
-        least_(Scalar(sensing == Sensing::LinkSide ? kLeastLinkSide : kLeastFriction)),
-        largest_(Scalar(sensing == Sensing::LinkSide ? kLargestLinkSide : kLargestFriction)) {
+        range_(kResidual[static_cast<std::size_t>(sensing)]),
+        residual_(static_cast<Scalar>(range_.first)) {
     blocks_.setConstant(Scalar(kPriorBlocks));
   }
 
@@ -54,7 +56,7 @@ class SensorNoise {
     was_empty_ = empty;
     const Scalar way = block.velocity.norm() * block.duration;
     const Scalar weight = std::min(Scalar(1), way / Scalar(kFullWay));
-    Scalar correlation = Scalar(0);
+    Scalar evidence = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
       const bool steady = regime.joint(j).steady();
       const auto k = static_cast<std::size_t>(j);
@@ -68,38 +70,42 @@ class SensorNoise {
       last_[j] = innovation[j];
       usable_[k] = steady;
       const Scalar white = std::max(Scalar(-3), std::min(Scalar(3), innovation[j] / sqrt(variance[j])));
-      correlation += white * average_[j];
+      evidence += white * average_[j];
+      if (rough_)
+        evidence += Scalar(kShare) * std::max(Scalar(0), 1 - variance_[j] / variance[j]) * (white * white - 1);
       average_[j] = Scalar(kKeep) * average_[j] + Scalar(kAdd) * white;
     }
-    correlation = std::max(Scalar(-6), std::min(Scalar(6), correlation * weight));
-    residual_ *= exp(Scalar(0.5 * kStep) * correlation);
-    residual_ = std::max(least_, std::min(largest_, residual_));
+    evidence = std::max(Scalar(-6), std::min(Scalar(6), evidence * weight));
+    residual_ *= exp(Scalar(0.5 * kStep) * evidence);
+    residual_ = std::max(static_cast<Scalar>(range_.least), std::min(static_cast<Scalar>(range_.largest), residual_));
   }
   /// Something happens: the next block has no predecessor.
   void interrupt() noexcept { usable_.fill(false); }
 
  private:
-  static constexpr double kLeastNoise = 0.004;       // [N m] of the arm's scale
-  static constexpr double kLinkSideResidual = 0.02;  // where learning begins [N m]
-  static constexpr double kFrictionResidual = 0.005;
-  // No rigid-body model is better than this, whatever a few seconds of motion show; where friction is learned, it takes
-  // its share.
-  static constexpr double kLeastLinkSide = 0.01;
-  static constexpr double kLeastFriction = 0.002;
-  // A residual that could take on the size of friction would be one more friction model, and a bad one.
-  static constexpr double kLargestLinkSide = 0.1;
-  static constexpr double kLargestFriction = 4;
+  static constexpr double kLeastNoise = 0.004;  // [N m] of the arm's scale
+  /// Of the arm's scale [N m]: where learning begins, and its bounds.
+  struct Range {
+    double first, least, largest;
+  };
+  // No rigid-body model is better than the least, whatever a few seconds of motion show. A residual on a link-side arm
+  // that could take on the size of friction would be one more friction model, and a bad one; where friction is learned,
+  // it takes its share.
+  static constexpr Range kResidual[kSensings] = {{0.02, 0.01, 0.1}, {0.005, 0.002, 0.1}, {0.3, 0.1, 4}};
   static constexpr double kPriorBlocks = 5;  // that the prior counts for
   static constexpr double kMemory = 500;     // blocks: 10 s
   static constexpr double kFullWay = 0.002;  // [rad] in a block: 0.1 rad/s
   static constexpr double kStep = 0.05;      // of log variance per unit of correlation
   static constexpr double kKeep = 0.9;       // of a block: the average looks 0.2 s back
+  static constexpr double kShare = 0.5;      // of the size of innovations, in the evidence
   static constexpr double kAdd = 0.4359;     // sqrt(1 - kKeep^2): white innovations have an average of variance 1
 
+  bool rough_;
   Vector share_, variance_, floor_, blocks_;
   Vector last_ = Vector::Zero(), average_ = Vector::Zero();
   std::array<bool, static_cast<std::size_t>(Dofs)> usable_{};
-  Scalar residual_, least_, largest_;
+  Range range_;
+  Scalar residual_;
   bool was_empty_ = true;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Twenty milliseconds of an arm, averaged: what the tracker looks at.
+/// Some tens of milliseconds of an arm, averaged: what the tracker looks at.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/flange_motion.hpp>
@@ -24,22 +24,29 @@ struct TorqueBlock {
   JointVector<Scalar, Dofs> velocity;                   ///< dq [rad/s]
   Eigen::Matrix<Scalar, Dofs, kBlockParts> velocities;  ///< the same over the parts of the block [rad/s]
   JointVector<Scalar, Dofs> torque_step;                ///< smallest change of tau_ext so far: its resolution [N m]
-  JointVector<Scalar, Dofs> velocity_noise;             ///< variance of a sample of dq, 0 if too few [(rad/s)^2]
+  JointVector<Scalar, Dofs> velocity_noise;             ///< variance of a sample of dq, learned so far [(rad/s)^2]
+  int samples = 0;                                      ///< that were averaged
 };
 
 /// Gathers samples into blocks.
 ///
 /// The observer's lag: r_k = r_k-1 + b (tau_k - r_k-1) is inverted, tau_k = r_k-1 + (r_k - r_k-1) / b. White noise of
 /// the sensor comes out white, and what quantisation, delay or a bandwidth that is said wrongly do to single samples
-/// cancels within a block but for its two ends (docs/theory.md, "Matching the observer"). The flange's acceleration is
-/// the difference of J dq between the ends of a part of the block, which is its exact mean.
+/// cancels within a block but for its two ends (docs/theory.md, "Matching the observer").
+///
+/// Torque and acceleration are averaged with the same weights, 6 s (1 - s) over the block: the average of differences
+/// of J dq is then the least-squares slope of J dq, which is as little noise of dq as a straight line lets through, and
+/// the torque is the one that belongs to it. A block lasts 20 ms, and up to 60 ms where dq is noisy: the payload's
+/// torque is regressed on this acceleration, and errors of a regressor do not average out, they make the payload look
+/// lighter.
 ///
 /// Periods may vary, and samples may be missing: the time between two samples is what counts. Real time: add() is
 /// O(Dofs), and O(10 Dofs) on the last sample of each part; nothing allocates.
 template <typename Scalar, int Dofs>
 class BlockAverager {
  public:
-  static constexpr double kDuration = 0.02;  ///< of a block [s]
+  static constexpr double kDuration = 0.02;          ///< of a block, where dq is clean [s]
+  static constexpr double kLongest = 3 * kDuration;  ///< where it is noisy [s]
   /// Of the arm's own observer, which may be faster than the host [s].
   static constexpr double kObserverPeriod = 0.001;
 
@@ -66,11 +73,16 @@ class BlockAverager {
   }
 
  private:
+  // Acceleration that noise of dq may feign over a block [m/s^2].
+  static constexpr double kFeigned = 0.02;
+  static constexpr double kNoiseBlend = 0.02;  // of a block: a second of memory
+
   void begin() noexcept;
+  void learn_noise() noexcept;
   void begin_part() noexcept {
-    part_tau_.setZero();
     part_velocity_.setZero();
-    part_duration_ = part_motion_duration_ = Scalar(0);
+    part_change_ = part_twist_ = Twist<Scalar>();
+    part_duration_ = part_weight_ = part_motion_weight_ = Scalar(0);
     part_motion_ = FlangeMotion<Scalar>();
   }
   void end_part() noexcept;
@@ -79,31 +91,53 @@ class BlockAverager {
   Vector3<Scalar> gravity_;
   bool started_ = false;
   Proprioception<Scalar, Dofs> last_;
-  Twist<Scalar> last_twist_, part_twist_;  // of the last sample; of the one before this part
+  Twist<Scalar> last_twist_;  // of the last sample
   JointVector<Scalar, Dofs> torque_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> difference_ = JointVector<Scalar, Dofs>::Zero();  // of dq, between the last two samples
   JointVector<Scalar, Dofs> step_ = JointVector<Scalar, Dofs>::Zero();
   int samples_ = 0;
   // of this part
-  JointVector<Scalar, Dofs> part_tau_, part_velocity_;
-  Scalar part_duration_ = Scalar(0), part_motion_duration_ = Scalar(0);
-  FlangeMotion<Scalar> part_motion_;  // as the host says, times duration
+  JointVector<Scalar, Dofs> part_velocity_;
+  Twist<Scalar> part_change_, part_twist_;  // differences, and values, of the flange's twist, times weight
+  Scalar part_duration_ = Scalar(0), part_weight_ = Scalar(0), part_motion_weight_ = Scalar(0);
+  FlangeMotion<Scalar> part_motion_;  // as the host says, times weight
   // of this block
   int parts_ = 0, differences_ = 0;
-  Scalar duration_ = Scalar(0);
+  Scalar duration_ = Scalar(0), weight_ = Scalar(0);
+  JointVector<Scalar, Dofs> squares_;  // of second differences of dq
   TorqueBlock<Scalar, Dofs> sums_, block_;
+  JointVector<Scalar, Dofs> noise_ = JointVector<Scalar, Dofs>::Constant(Scalar(1e-8));  // of dq [(rad/s)^2]
+  double target_ = kDuration;                                                            // of this block [s]
 };
 
 template <typename Scalar, int Dofs>
 void BlockAverager<Scalar, Dofs>::begin() noexcept {
   begin_part();
   parts_ = differences_ = 0;
-  duration_ = Scalar(0);
+  duration_ = weight_ = Scalar(0);
   sums_.tau.setZero();
   sums_.regressor.setZero();
   sums_.velocity.setZero();
   sums_.velocities.setZero();
-  sums_.velocity_noise.setZero();
+  squares_.setZero();
+  sums_.samples = 0;
+}
+
+/// Takes the block's second differences of dq in, and says how long the next block is to be.
+template <typename Scalar, int Dofs>
+void BlockAverager<Scalar, Dofs>::learn_noise() noexcept {
+  if (differences_ > 0) {
+    const JointVector<Scalar, Dofs> seen = squares_ / Scalar(differences_);
+    // Slowly, and with single large values cut: accelerations that change are no noise.
+    noise_ +=
+        Scalar(kNoiseBlend) * (seen.cwiseMin(25 * noise_ + JointVector<Scalar, Dofs>::Constant(Scalar(1e-8))) - noise_);
+  }
+  // Of the flange's velocity, along the axis where it is largest.
+  const Vector3<Scalar> linear = last_.jacobian.template topRows<3>().cwiseAbs2() * noise_;
+  const auto variance = static_cast<double>(linear.maxCoeff());
+  const double period = static_cast<double>(duration_) / std::max(1, sums_.samples);
+  // The slope of n = T / period samples has a variance of 12 / (n T^2) of one's.
+  target_ = std::max(kDuration, std::min(kLongest, std::cbrt(12 * period * variance / (kFeigned * kFeigned))));
 }
 
 template <typename Scalar, int Dofs>
@@ -113,7 +147,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
     started_ = true;
     samples_ = 0;
     last_ = sample;
-    last_twist_ = part_twist_ = twist;
+    last_twist_ = twist;
     torque_ = sample.tau_ext;
     begin();
     return false;
@@ -126,7 +160,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   const auto h = static_cast<Scalar>(dt);
   const JointVector<Scalar, Dofs> difference = sample.dq - last_.dq;
   if (samples_ > 0) {  // second differences, which a steady acceleration does not enter: variance 6 sigma^2
-    sums_.velocity_noise += (difference - difference_).cwiseAbs2() / Scalar(6);
+    squares_ += (difference - difference_).cwiseAbs2() / Scalar(6);
     ++differences_;
   }
   difference_ = difference;
@@ -135,30 +169,41 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
     if (step > Scalar(1e-7) && (step < step_[j] || step_[j] == Scalar(0))) step_[j] = step;
   }
   ++samples_;
-  part_tau_ += h * torque_;
+  const Scalar along = (duration_ + part_duration_ + Scalar(0.5) * h) / static_cast<Scalar>(target_);
+  // Not quite zero where a block, of samples that jitter, lasts longer than was meant.
+  const Scalar shape = std::max(Scalar(0.05), 6 * along * (Scalar(1) - along)), weight = h * shape;
+  sums_.tau += weight * torque_;
   part_velocity_ += h * sample.dq;
   part_duration_ += h;
+  part_weight_ += weight;
+  part_change_.linear += shape * (twist.linear - last_twist_.linear);
+  part_change_.angular += shape * (twist.angular - last_twist_.angular);
+  part_twist_.angular += Scalar(0.5) * weight * (twist.angular + last_twist_.angular);
   if (sample.motion) {
-    part_motion_.angular_velocity += h * sample.motion->angular_velocity;
-    part_motion_.linear_acceleration += h * sample.motion->linear_acceleration;
-    part_motion_.angular_acceleration += h * sample.motion->angular_acceleration;
-    part_motion_duration_ += h;
+    part_motion_.angular_velocity += weight * sample.motion->angular_velocity;
+    part_motion_.linear_acceleration += weight * sample.motion->linear_acceleration;
+    part_motion_.angular_acceleration += weight * sample.motion->angular_acceleration;
+    part_motion_weight_ += weight;
   }
   last_ = sample;
   last_twist_ = twist;
   // Half a period of tolerance, so that jitter does not make every other block longer.
   const double slack = 0.5 * dt;
-  const bool complete = static_cast<double>(duration_ + part_duration_) + slack >= kDuration;
-  if (complete || static_cast<double>(part_duration_) + slack >= kDuration / kBlockParts) end_part();
+  ++sums_.samples;
+  const bool complete = static_cast<double>(duration_ + part_duration_) + slack >= target_;
+  // The next part's end, whatever the ones before it lasted.
+  const double end_of_part = target_ * (parts_ + 1) / kBlockParts;
+  if (complete || static_cast<double>(duration_ + part_duration_) + slack >= end_of_part) end_part();
   if (!complete) return false;
 
   sums_.end = time;
   sums_.duration = duration_;
-  sums_.tau /= duration_;
-  sums_.regressor /= duration_;
+  sums_.tau /= weight_;
+  sums_.regressor /= weight_;
   sums_.velocity /= duration_;
   for (int i = parts_; i < kBlockParts; ++i) sums_.velocities.col(i) = sums_.velocities.col(parts_ - 1);
-  if (differences_ > 0) sums_.velocity_noise /= Scalar(differences_);
+  learn_noise();
+  sums_.velocity_noise = noise_;
   sums_.torque_step = step_;
   sums_.jacobian = sample.jacobian;
   sums_.rotation = sample.rotation;
@@ -170,23 +215,22 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
 template <typename Scalar, int Dofs>
 void BlockAverager<Scalar, Dofs>::end_part() noexcept {
   FlangeMotion<Scalar> motion;
-  if (part_motion_duration_ > Scalar(0.5) * part_duration_) {
-    motion.angular_velocity = part_motion_.angular_velocity / part_motion_duration_;
-    motion.linear_acceleration = part_motion_.linear_acceleration / part_motion_duration_;
-    motion.angular_acceleration = part_motion_.angular_acceleration / part_motion_duration_;
+  if (part_motion_weight_ > Scalar(0.5) * part_weight_) {
+    motion.angular_velocity = part_motion_.angular_velocity / part_motion_weight_;
+    motion.linear_acceleration = part_motion_.linear_acceleration / part_motion_weight_;
+    motion.angular_acceleration = part_motion_.angular_acceleration / part_motion_weight_;
   } else {
-    motion.angular_velocity = Scalar(0.5) * (part_twist_.angular + last_twist_.angular);
-    motion.linear_acceleration = (last_twist_.linear - part_twist_.linear) / part_duration_;
-    motion.angular_acceleration = (last_twist_.angular - part_twist_.angular) / part_duration_;
+    motion.angular_velocity = part_twist_.angular / part_weight_;
+    motion.linear_acceleration = part_change_.linear / part_weight_;
+    motion.angular_acceleration = part_change_.angular / part_weight_;
   }
-  sums_.tau += part_tau_;
   sums_.velocity += part_velocity_;
   const Eigen::Matrix<Scalar, 6, kInertial> wrench =
       inertial_wrench_regressor<Scalar>(last_.rotation, gravity_, motion);
-  sums_.regressor += part_duration_ * last_.jacobian.transpose().lazyProduct(wrench);
+  sums_.regressor += part_weight_ * last_.jacobian.transpose().lazyProduct(wrench);
   if (parts_ < kBlockParts) sums_.velocities.col(parts_++) = part_velocity_ / part_duration_;
   duration_ += part_duration_;
-  part_twist_ = last_twist_;
+  weight_ += part_weight_;
   begin_part();
 }
 

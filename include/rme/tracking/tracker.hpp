@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/friction_regime.hpp>
@@ -17,9 +18,9 @@ namespace rme {
 /// What is believed after a block.
 template <typename Scalar>
 struct TrackerBelief {
-  PerHypothesis<Scalar> probability;  ///< of the hypotheses, sum one
-  InertialGaussian<Scalar> payload;   ///< phi of what is held, given that the hand is not empty
-  Scalar friction_shows = Scalar(0);  ///< probability that the arm's torque sensing sees joint friction
+  PerHypothesis<Scalar> probability;        ///< of the hypotheses, sum one
+  InertialGaussian<Scalar> payload;         ///< phi of what is held, given that the hand is not empty
+  std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing, sum one
   Scalar health = Scalar(1);  ///< normalised innovation squared over a second: 1 if the arm does what the model says
 };
 
@@ -30,20 +31,24 @@ struct TrackerBelief {
 template <typename Scalar, int Dofs>
 class Tracker {
  public:
-  /// @param sensing_odds  log odds of joint friction against link side before the first sample [nats]; 0 lets the arm
-  ///                      show it, large numbers decide
+  /// @param known  kind of torque sensing, if the host knows it; otherwise the arm is to show it
   Tracker(const ArmPrior<Scalar, Dofs>& arm, const PayloadPrior<Scalar>& payload, Scalar rated_payload,
-          double sensing_odds) noexcept
+          std::optional<Sensing> known) noexcept
       : payload_(payload),
         rated_(rated_payload),
         banks_{HypothesisBank<Scalar, Dofs>(Sensing::LinkSide, arm, payload, rated_payload),
-               HypothesisBank<Scalar, Dofs>(Sensing::JointFriction, arm, payload, rated_payload)},
-        friction_odds_(std::max(-kDecided, std::min(kDecided, sensing_odds + kCaution))) {
+               HypothesisBank<Scalar, Dofs>(Sensing::JointFriction, arm, payload, rated_payload),
+               HypothesisBank<Scalar, Dofs>(Sensing::RoughModel, arm, payload, rated_payload)} {
+    if (known) {
+      evidence_.fill(-kDecided);
+      evidence_[static_cast<std::size_t>(*known)] = 0;
+    }
     belief_.probability[Hypothesis::Empty] = Scalar(1);
+    belief_.sensing = sensing();
   }
 
   /// Steps that advance() takes for one block.
-  static constexpr int kSteps = 2 * static_cast<int>(kHypotheses) + 1;
+  static constexpr int kSteps = static_cast<int>(kSensings * kHypotheses) + 1;
 
   /// Starts to take in a block; one that is not finished is finished first.
   /// @param exchange_likely  the host says that the payload changes now
@@ -72,8 +77,10 @@ class Tracker {
   bool busy() const noexcept { return step_ > 0; }
 
   const TrackerBelief<Scalar>& belief() const noexcept { return belief_; }
-  /// The bank of the likelier kind of sensing.
-  const HypothesisBank<Scalar, Dofs>& bank() const noexcept { return banks_[friction_odds_ > 0 ? 1 : 0]; }
+  /// The bank of the likeliest kind of sensing.
+  const HypothesisBank<Scalar, Dofs>& bank() const noexcept {
+    return banks_[static_cast<std::size_t>(std::max_element(evidence_.begin(), evidence_.end()) - evidence_.begin())];
+  }
 
   /// The host says that the hand is empty. Data can still overturn it.
   void declare_empty() noexcept {
@@ -117,8 +124,9 @@ class Tracker {
  private:
   // A host that has no reason to say so is wrong once in a thousand times.
   static constexpr double kHostIsRight = 0.999;
-  // Friction that is taken for weight does more harm than friction that is looked for in vain.
-  static constexpr double kCaution = 10;   // [nats]
+  // Friction that is taken for weight does more harm than friction that is looked for in vain; of arms whose model is
+  // rough, one is to be convinced.
+  static constexpr std::array<double, kSensings> kEvidence = {-10, 0, -20};  // before the first sample [nats]
   static constexpr double kDecided = 300;  // an arm that was serviced is recognised after some seconds of motion [nats]
   static constexpr double kLargestHealth = 100;
   static constexpr double kFullSpeed = 0.2;  // slower than this friction shows less than stiction hides [rad/s]
@@ -129,24 +137,33 @@ class Tracker {
 
   void finish() noexcept {
     using std::exp;
-    const double link = static_cast<double>(banks_[0].finish()), friction = static_cast<double>(banks_[1].finish());
     const double weight = std::min(1.0, static_cast<double>(speed_) / kFullSpeed);
-    friction_odds_ = std::max(-kDecided, std::min(kDecided, friction_odds_ + weight * (friction - link)));
+    for (std::size_t k = 0; k < kSensings; ++k) evidence_[k] += weight * static_cast<double>(banks_[k].finish());
+    const double best = *std::max_element(evidence_.begin(), evidence_.end());
+    for (double& evidence : evidence_) evidence = std::max(-kDecided, evidence - best);
     const auto squared = std::min(Scalar(kLargestHealth), bank().innovation_squared());
     belief_.health += (Scalar(1) - exp(-duration_)) * (squared - belief_.health);
     summarise();
   }
 
-  void summarise() noexcept {
+  std::array<Scalar, kSensings> sensing() const noexcept {
     using std::exp;
-    const auto friction = static_cast<Scalar>(1 / (1 + exp(-friction_odds_)));
-    const std::array<Scalar, 2> share = {Scalar(1) - friction, friction};
+    const double best = *std::max_element(evidence_.begin(), evidence_.end());
+    std::array<Scalar, kSensings> out;
+    double sum = 0;
+    for (const double evidence : evidence_) sum += exp(evidence - best);
+    for (std::size_t k = 0; k < kSensings; ++k) out[k] = static_cast<Scalar>(exp(evidence_[k] - best) / sum);
+    return out;
+  }
+
+  void summarise() noexcept {
+    const std::array<Scalar, kSensings> share = sensing();
     TrackerBelief<Scalar> out;
     out.health = belief_.health;
-    out.friction_shows = friction;
+    out.sensing = share;
     InertialVector<Scalar> mean = InertialVector<Scalar>::Zero();
     Scalar held = Scalar(0);
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < kSensings; ++k) {
       for (std::size_t i = 0; i < kHypotheses; ++i) {
         const auto h = static_cast<Hypothesis>(i);
         const Scalar w = share[k] * banks_[k].probability(h);
@@ -158,7 +175,7 @@ class Tracker {
     }
     if (held > 0) mean /= held;
     out.payload.mean = mean;
-    for (std::size_t k = 0; k < 2 && held > 0; ++k) {
+    for (std::size_t k = 0; k < kSensings && held > 0; ++k) {
       for (std::size_t i = 0; i < kHypotheses; ++i) {
         const auto h = static_cast<Hypothesis>(i);
         const Scalar w = share[k] * banks_[k].probability(h) / held;
@@ -175,9 +192,9 @@ class Tracker {
   PayloadPrior<Scalar> payload_;
   Scalar rated_;
   FrictionRegime<Scalar, Dofs> regime_;
-  std::array<HypothesisBank<Scalar, Dofs>, 2> banks_;
-  double friction_odds_;
-  int step_ = 0;  // that are left for this block
+  std::array<HypothesisBank<Scalar, Dofs>, kSensings> banks_;
+  std::array<double, kSensings> evidence_ = kEvidence;  // log probability, up to a constant [nats]
+  int step_ = 0;                                        // that are left for this block
   Scalar duration_ = Scalar(0), speed_ = Scalar(0);
   TrackerBelief<Scalar> belief_;
 };
