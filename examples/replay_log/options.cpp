@@ -27,11 +27,11 @@ EstimatorConfig<double, 7> parse_estimator_config(Arguments& arguments) {
     config = named(*file, [&] { return estimator_config_from_json<double, 7>(read_json_file(*file)); });
   const std::string preset = arguments.text("--preset").value_or("");
   if (preset == "link_side")
-    config.sensing = SensingPrior::LinkSide;
+    config.sensing = Sensing::LinkSide;
   else if (preset == "joint_friction")
-    config.sensing = SensingPrior::JointFriction;
+    config.sensing = Sensing::JointFriction;
   else if (preset == "unknown")
-    config.sensing = SensingPrior::Unknown;
+    config.sensing = std::nullopt;
   else if (!preset.empty())
     throw ArgumentError("--preset: \"" + preset + "\" is none of unknown, link_side, joint_friction");
   config.rated_payload = arguments.number("--rated-payload").value_or(config.rated_payload);

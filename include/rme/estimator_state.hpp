@@ -34,6 +34,8 @@ struct EstimatorState {
 
   /// Whether nothing is in the hand, as far as the torque can tell.
   bool empty() const noexcept { return probability[Hypothesis::Empty] > Scalar(0.5); }
+  /// Probability that tau_ext holds joint friction.
+  Scalar friction_shows() const noexcept { return Scalar(1) - sensing[static_cast<std::size_t>(Sensing::LinkSide)]; }
 };
 
 }  // namespace rme

@@ -282,7 +282,7 @@ TEST_CASE("embedding.md: settings are read from a file, and what is wrong with t
   CHECK(settings.rated_payload == 12.5);
   CHECK(settings.observer_bandwidth == 0);
   CHECK(settings.torque_sign == rme::TorqueSign::Reaction);
-  CHECK(settings.sensing == rme::SensingPrior::Unknown);
+  CHECK(settings.sensing == std::nullopt);
   CHECK_THROWS_WITH(read(R"({"rated_load": 12.5})"), contains("rated_load"));
   (void)std::remove(file.c_str());
   CHECK_THROWS_WITH(read_settings(file), contains(file));

@@ -19,7 +19,7 @@ TEST_CASE("EstimatorConfig: what is written comes back the same", "[json]") {
   config.torque_sign = rme::TorqueSign::Reaction;
   config.rated_payload = 12.5;
   config.observer_bandwidth = 30;
-  config.sensing = rme::SensingPrior::JointFriction;
+  config.sensing = rme::Sensing::JointFriction;
   config.arm = rme::ArmPrior<double, 7>::of(10);
   config.arm->noise << 1, 2, 3, 4, 5, 6, 7;
   config.arm->viscous[3] = 0.7;
@@ -66,11 +66,12 @@ TEST_CASE("EstimatorConfig: a field that is not there keeps its default, and is 
 TEST_CASE("EstimatorConfig: enumerators are their names", "[json]") {
   CHECK(read(R"({"torque_sign": "external"})").torque_sign == rme::TorqueSign::External);
   CHECK(read(R"({"torque_sign": "reaction"})").torque_sign == rme::TorqueSign::Reaction);
-  CHECK(read(R"({"sensing": "unknown"})").sensing == rme::SensingPrior::Unknown);
-  CHECK(read(R"({"sensing": "link_side"})").sensing == rme::SensingPrior::LinkSide);
-  CHECK(read(R"({"sensing": "joint_friction"})").sensing == rme::SensingPrior::JointFriction);
+  CHECK(read(R"({"sensing": "unknown"})").sensing == std::nullopt);
+  CHECK(read(R"({"sensing": "link_side"})").sensing == rme::Sensing::LinkSide);
+  CHECK(read(R"({"sensing": "joint_friction"})").sensing == rme::Sensing::JointFriction);
+  CHECK(read(R"({"sensing": "rough_model"})").sensing == rme::Sensing::RoughModel);
   Config config;
-  config.sensing = rme::SensingPrior::LinkSide;
+  config.sensing = rme::Sensing::LinkSide;
   CHECK(rme::estimator_config_to_json(config)["sensing"] == "link_side");
   CHECK(rme::estimator_config_to_json(config)["torque_sign"] == "external");
   CHECK_THROWS_WITH(read(R"({"torque_sign": "up"})"),

@@ -90,7 +90,7 @@ void check_same(const Estimator<Scalar>& estimator, const Estimator<Scalar>& twi
   check(a.payload.mean.allFinite() && a.payload.covariance.allFinite() && std::isfinite(a.confidence));
   check(a.inertial.mean.allFinite() && a.inertial.covariance.allFinite() && std::isfinite(a.health));
   check(a.payload.mean[0] >= 0 && (a.payload.covariance.diagonal().array() >= 0).all());
-  check(a.confidence >= 0 && a.confidence <= 1 && a.friction_shows >= 0 && a.friction_shows <= 1);
+  check(a.confidence >= 0 && a.confidence <= 1 && a.friction_shows() >= 0 && a.friction_shows() <= 1);
   Scalar sum = 0;
   for (const Scalar p : a.probability.values) {
     check(p >= 0);

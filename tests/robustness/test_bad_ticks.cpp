@@ -46,7 +46,7 @@ Eigen::VectorXd answers(const rme::Estimator<Scalar, 7>& estimator, const rme::P
       Eigen::Map<const Eigen::Matrix<Scalar, 100, 1>>(state.inertial.covariance.data()).template cast<double>(),
       estimator.compensation(at.jacobian, at.rotation).template cast<double>(),
       Eigen::Map<const Eigen::Matrix<Scalar, 5, 1>>(state.probability.values.data()).template cast<double>(),
-      double(state.confidence), double(state.health), double(state.friction_shows), state.time, state.updated,
+      double(state.confidence), double(state.health), double(state.friction_shows()), state.time, state.updated,
       double(state.changing), state.change_onset, state.change_noticed, double(state.event.number),
       double(state.event.kind), state.event.onset, state.event.noticed, state.event.over;
   return all;

@@ -19,11 +19,11 @@ template <typename Scalar>
 class Scene {
  public:
   /// @param friction  of the joints, behind motor-side sensors; without it the sensors are link-side
-  Scene(std::uint64_t seed, bool friction, double sensing_odds = 0)
+  Scene(std::uint64_t seed, bool friction, std::optional<rme::Sensing> known = std::nullopt)
       : arm_(model_, config(seed, friction), model_.ready),
         averager_(50, rme::standard_gravity<Scalar>()),
         tracker_(rme::ArmPrior<Scalar, 7>::of(Scalar(kRated)), rme::PayloadPrior<Scalar>::of(Scalar(kRated)),
-                 Scalar(kRated), sensing_odds) {}
+                 Scalar(kRated), known) {}
 
   int attach(const rme::examples::RigidBody& body) { return arm_.attach(body); }
   void detach(int handle) { arm_.detach(handle); }
@@ -38,6 +38,7 @@ class Scene {
 
   const rme::TrackerBelief<Scalar>& belief() const { return tracker_.belief(); }
   rme::Tracker<Scalar, 7>& tracker() { return tracker_; }
+  Scalar sensing(rme::Sensing kind) const { return belief().sensing[static_cast<std::size_t>(kind)]; }
   double mass() const { return double(belief().payload.mean[0]); }
   Eigen::Vector3d com() const { return belief().payload.mean.template segment<3>(1).template cast<double>() / mass(); }
   double probability(Hypothesis h) const { return double(belief().probability[h]); }
@@ -124,8 +125,7 @@ void check_life(std::uint64_t seed, bool friction, const Bounds& bounds) {
   CHECK(std::abs(scene.mass() - 0.9) < bounds.in_motion);
   CHECK((scene.com() - kTool.com).norm() < bounds.com);
   // Which kind of sensing it is has shown by now, and is remembered.
-  CHECK((double(scene.belief().friction_shows) > 0.99) == friction);
-  CHECK((double(scene.belief().friction_shows) < 0.01) == !friction);
+  CHECK(double(scene.sensing(friction ? rme::Sensing::JointFriction : rme::Sensing::LinkSide)) > 0.99);
 }
 
 TEST_CASE("Tracker: 0.9 kg attached at rest and in motion, link-side sensing", "[tracker]") {
@@ -144,10 +144,11 @@ TEST_CASE("Tracker: the same in float", "[tracker]") {
 TEST_CASE("Tracker: the host may say which sensing it is, and is believed from the first block", "[tracker]") {
   for (const bool friction : {false, true}) {
     CAPTURE(friction);
-    Scene<double> scene(666, friction, friction ? 1000 : -1000);
+    const rme::Sensing known = friction ? rme::Sensing::JointFriction : rme::Sensing::LinkSide;
+    Scene<double> scene(666, friction, known);
     CHECK(scene.blocks == 0);
     scene.live(0.5, 0);
-    CHECK(scene.belief().friction_shows == Approx(friction ? 1 : 0).margin(1e-12));
+    CHECK(scene.sensing(known) == Approx(1).margin(1e-12));
   }
 }
 
@@ -155,7 +156,7 @@ TEST_CASE("Tracker: a push is no payload, and what was held is held still", "[tr
   for (const bool friction : {false, true}) {
     const std::uint64_t seed = 667;
     CAPTURE(seed, friction);
-    Scene<double> scene(seed, friction, friction ? 1000 : -1000);
+    Scene<double> scene(seed, friction, friction ? rme::Sensing::JointFriction : rme::Sensing::LinkSide);
     scene.live(1, 0);
     scene.push({{12, -9, 0}, {0.5, 0.2, 0}});
     scene.live(0.5, 0);
@@ -180,7 +181,7 @@ TEST_CASE("Tracker: a push is no payload, and what was held is held still", "[tr
 TEST_CASE("Tracker: what the host says is believed at once, and overturned by data", "[tracker]") {
   const std::uint64_t seed = 668;
   CAPTURE(seed);
-  Scene<double> scene(seed, false, -1000);
+  Scene<double> scene(seed, false, rme::Sensing::LinkSide);
   scene.live(1, 0);
   scene.tracker().set_payload(
       rme::PayloadGaussian<double>::independent({0.9, 0.03, -0.02, 0.1}, {0.01, 0.005, 0.005, 0.005}));
@@ -209,7 +210,7 @@ TEST_CASE("Tracker: set_payload turns a Gaussian over (m, r) into the moments of
   L << 0.15, 0, 0, 0, 0.01, 0.02, 0, 0, -0.01, 0.01, 0.015, 0, 0.02, 0, 0.01, 0.02;
   const rme::PayloadGaussian<double> said{{1.2, 0.03, -0.02, 0.1}, L * L.transpose()};
   rme::Tracker<double, 7> tracker(rme::ArmPrior<double, 7>::of(kRated), rme::PayloadPrior<double>::of(kRated), kRated,
-                                  0);
+                                  std::nullopt);
   tracker.set_payload(said);
   const auto& star = tracker.bank().star(Hypothesis::Steady);
   constexpr int kSamples = 400'000;
@@ -236,7 +237,7 @@ TEST_CASE("Tracker: set_payload turns a Gaussian over (m, r) into the moments of
 
 TEST_CASE("Tracker: the belief has the moments of the mixture over all that is not empty", "[tracker]") {
   rme::Tracker<double, 7> tracker(rme::ArmPrior<double, 7>::of(kRated), rme::PayloadPrior<double>::of(kRated), kRated,
-                                  0);
+                                  std::nullopt);
   tracker.declare_empty();
   // Before the first block both banks hold the same of the payload: the prior, and beside a push nothing.
   const auto& bank = tracker.bank();
@@ -259,7 +260,7 @@ TEST_CASE("Tracker: the belief has the moments of the mixture over all that is n
 TEST_CASE("Tracker: no mass is believed that is negative or beyond the rated one, whatever the host says",
           "[tracker]") {
   rme::Tracker<double, 7> tracker(rme::ArmPrior<double, 7>::of(kRated), rme::PayloadPrior<double>::of(kRated), kRated,
-                                  0);
+                                  std::nullopt);
   // Half of N(3, 0.3^2) is left: the mean lies sqrt(2 / pi) deviations below the bound, and 1 - 2 / pi of the variance.
   const double pi = 3.141592653589793;
   tracker.set_payload(rme::PayloadGaussian<double>::independent({3, 0, 0, 0.1}, {0.3, 0.01, 0.01, 0.01}));
@@ -272,7 +273,7 @@ TEST_CASE("Tracker: no mass is believed that is negative or beyond the rated one
 TEST_CASE("Tracker: a block is taken in by as many steps as are said, or all at once when the next one comes",
           "[tracker]") {
   rme::Tracker<double, 7> stepwise(rme::ArmPrior<double, 7>::of(kRated), rme::PayloadPrior<double>::of(kRated), kRated,
-                                   0);
+                                   std::nullopt);
   auto hasty = stepwise;
   CHECK_FALSE(stepwise.busy());
   CHECK_FALSE(stepwise.advance());
