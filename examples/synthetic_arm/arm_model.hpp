@@ -94,17 +94,18 @@ struct ArmModel {
   std::string name;
   std::array<Link, Dofs> links;  ///< from the base
   Eigen::Vector3d flange;        ///< flange origin in the last link's axes [m]
-  Eigen::Matrix3d flange_rotation = Eigen::Matrix3d::Identity();  ///< flange axes to the last link's axes
-  Vector ready;                  ///< a pose well inside the limits [rad]
-  Vector q_min, q_max;           ///< [rad]; infinite for a joint that turns on and on
-  Vector dq_max;                 ///< [rad/s]
-  Vector ddq_max;                ///< [rad/s^2]
-  Vector tau_max;                ///< [N m]
-  Vector dtau_max;               ///< [N m/s]
-  Vector typical_coulomb;        ///< Coulomb friction to expect of such joints [N m]
-  Vector typical_viscous;        ///< viscous friction to expect of such joints [N m s/rad]
-  Vector typical_noise;          ///< torque sensors: standard deviation of the white noise [N m]
-  Vector typical_offset;         ///< torque sensors: standard deviation of the constant offset [N m]
+  /// Flange axes to the last link's axes.
+  Eigen::Matrix3d flange_rotation = Eigen::Matrix3d::Identity();
+  Vector ready;            ///< a pose well inside the limits [rad]
+  Vector q_min, q_max;     ///< [rad]; infinite for a joint that turns on and on
+  Vector dq_max;           ///< [rad/s]
+  Vector ddq_max;          ///< [rad/s^2]
+  Vector tau_max;          ///< [N m]
+  Vector dtau_max;         ///< [N m/s]
+  Vector typical_coulomb;  ///< Coulomb friction to expect of such joints [N m]
+  Vector typical_viscous;  ///< viscous friction to expect of such joints [N m s/rad]
+  Vector typical_noise;    ///< torque sensors: standard deviation of the white noise [N m]
+  Vector typical_offset;   ///< torque sensors: standard deviation of the constant offset [N m]
   Eigen::Vector3d gravity_vector = standard_gravity<double>();  ///< world axes [m/s^2]
 
   /// Pose and Jacobian of the flange.
@@ -168,8 +169,7 @@ template <int Dofs>
 auto ArmModel<Dofs>::inertia(const Frames& at, std::size_t i, const RigidBody& payload) const noexcept -> Inertia {
   const auto column = static_cast<Eigen::Index>(i);
   RigidBody body = links[i].body;
-  if (i + 1 == links.size() && payload.mass > 0)
-    body = body + moved(payload, flange, flange_rotation);
+  if (i + 1 == links.size() && payload.mass > 0) body = body + moved(payload, flange, flange_rotation);
   const Eigen::Matrix3d& R = at.rotation[i];
   const Eigen::Vector3d c = at.origin.col(column) + R * body.com;
   Inertia out{body.mass, body.mass * c, R * body.inertia * R.transpose() - out.moment * c.transpose()};
