@@ -10,14 +10,28 @@
 
 namespace rme::examples {
 
+constexpr const char* kSettingsUsage =
+    "  --config C.json     settings of the estimator (rme/estimator_json.hpp); other options go before them\n"
+    "  --preset NAME       sensing of the arm: unknown (default), link_side, joint_friction\n"
+    "  --bandwidth W       of the observer that tau_ext comes from [rad/s] (50); 0: none\n";
 constexpr const char* kReplayUsage =
     "  --at T              the host says at T that the payload changes; ends with what is known a window later [s]\n"
     "  --window S          with --at: how long after it [s] (0.2)\n"
     "  --baseline B        auto (default), none, or T0:T1, when the hand is known to be empty [s]\n"
-    "  --config C.json     settings of the estimator (rme/estimator_json.hpp); other options go before them\n"
-    "  --weights W.json    a network, whose guess each final estimate is printed with\n"
-    "  --preset NAME       sensing of the arm: unknown (default), link_side, joint_friction\n"
-    "  --bandwidth W       of the observer that tau_ext comes from [rad/s] (50); 0: none\n";
+    "  --weights W.json    a network, whose guess each final estimate is printed with\n";
+
+/// An arm and the settings of its estimator.
+template <int Dofs>
+struct ArmSettings {
+  RecordedArm<Dofs> arm;
+  EstimatorConfig<double, Dofs> config;
+  std::vector<std::string> notes;  ///< what was assumed, a sentence each
+};
+
+/// Takes the first options above out of `arguments`.
+/// @throws ArgumentError naming what is wrong
+template <int Dofs>
+ArmSettings<Dofs> parse_settings(Arguments& arguments, const ArmRequest& arm);
 
 /// All that the options above say.
 template <int Dofs>
@@ -27,7 +41,7 @@ struct ReplayRequest {
   std::vector<std::string> notes;  ///< what was assumed, a sentence each
 };
 
-/// Takes the options above out of `arguments`.
+/// Takes all options above out of `arguments`.
 /// @throws ArgumentError naming what is wrong
 template <int Dofs>
 ReplayRequest<Dofs> parse_replay(Arguments& arguments, const ArmRequest& arm);

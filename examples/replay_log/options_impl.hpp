@@ -24,15 +24,14 @@ auto named(const std::string& given, Make&& make) {
 }  // namespace detail
 
 template <int Dofs>
-ReplayRequest<Dofs> parse_replay(Arguments& arguments, const ArmRequest& arm) {
-  ReplayRequest<Dofs> request;
-  ReplayOptions<Dofs>& options = request.options;
-  EstimatorConfig<double, Dofs>& config = options.estimator;
+ArmSettings<Dofs> parse_settings(Arguments& arguments, const ArmRequest& request) {
+  ArmSettings<Dofs> settings;
+  EstimatorConfig<double, Dofs>& config = settings.config;
   bool rated = false;
   if (const auto file = arguments.text("--config")) {
-    const nlohmann::json settings = read_json_file(*file);
-    config = detail::named(*file, [&] { return estimator_config_from_json<double, Dofs>(settings); });
-    rated = settings.contains("rated_payload");
+    const nlohmann::json json = read_json_file(*file);
+    config = detail::named(*file, [&] { return estimator_config_from_json<double, Dofs>(json); });
+    rated = json.contains("rated_payload");
   }
   if (const auto sensing =
           arguments.choice<SensingPrior>("--preset", {{"unknown", SensingPrior::Unknown},
@@ -40,14 +39,25 @@ ReplayRequest<Dofs> parse_replay(Arguments& arguments, const ArmRequest& arm) {
                                                       {"joint_friction", SensingPrior::JointFriction}}))
     config.sensing = *sensing;
   config.observer_bandwidth = arguments.number("--bandwidth").value_or(config.observer_bandwidth);
-  options.arm = recorded_arm<Dofs>(arm, rated, config);
-  if (arm.chain && !arm.rated_payload && !rated) {
+  settings.arm = recorded_arm<Dofs>(request, rated, config);
+  if (request.chain && !request.rated_payload && !rated) {
     char text[120];
     std::snprintf(text, sizeof text, "rated payload %.2g kg, from the effort limits; --rated-payload knows better",
                   config.rated_payload);
-    request.notes.emplace_back(text);
+    settings.notes.emplace_back(text);
   }
   detail::named("options", [&] { config.validate(1e-3); });
+  return settings;
+}
+
+template <int Dofs>
+ReplayRequest<Dofs> parse_replay(Arguments& arguments, const ArmRequest& arm) {
+  ReplayRequest<Dofs> request;
+  ReplayOptions<Dofs>& options = request.options;
+  const ArmSettings<Dofs> settings = parse_settings<Dofs>(arguments, arm);
+  options.arm = settings.arm;
+  options.estimator = settings.config;
+  request.notes = settings.notes;
   if (const auto file = arguments.text("--weights"))
     request.weights = detail::named(*file, [&] { return read_network_file(*file); });
   options.at = arguments.number("--at");

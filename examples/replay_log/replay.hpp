@@ -79,9 +79,9 @@ struct Samples {
 /// External torque is the log's own, or comes from the measured torque: over each step of the log's own length, the
 /// mean that explains how the momentum has changed,
 ///
-///     tau_ext = (p_k - p_k-1) / h - mean(tau) - mean(C^T dq - g),
+///     (p_k - p_k-1) / h - mean(tau) - mean(C^T dq - g),
 ///
-/// which is what inverting a momentum observer gives.
+/// through an observer of the config's bandwidth, whose discretisation is the one that the estimator takes out again.
 /// @param config  its observer_bandwidth and torque_sign are those of the log's torque
 /// @throws LogError if the log has a single row, or fewer than 50 rows a second
 template <int Dofs>

@@ -45,6 +45,13 @@ LogTiming timing_of(const Log<Dofs>& log) {
   return out;
 }
 
+/// The weight of a step's torque in what an observer says after it: that of a period of a millisecond, as often as it
+/// fits in, which is how BlockAverager takes the observer out again.
+inline double observer_blend(double bandwidth, double period) {
+  constexpr double kPeriod = 0.001;
+  return bandwidth > 0 ? 1 - std::pow(1 - std::min(1.0, bandwidth * kPeriod), period / kPeriod) : 1;
+}
+
 }  // namespace detail
 
 template <int Dofs>
@@ -54,12 +61,13 @@ Samples<Dofs> samples_of(const Log<Dofs>& log, const RecordedArm<Dofs>& arm,
   Samples<Dofs> out;
   out.timing = detail::timing_of(log);
   const bool measured = log.tau_ext.empty();
-  out.bandwidth = measured ? 0 : config.observer_bandwidth;
+  out.bandwidth = config.observer_bandwidth;
   out.sign = measured ? TorqueSign::External : config.torque_sign;
   out.row.reserve(log.size());
   out.sample.reserve(log.size());
   const double sign = static_cast<double>(config.torque_sign);
   Vector momentum = Vector::Zero(), drift = Vector::Zero(), tau = Vector::Zero();  // of the row before
+  Vector observed = Vector::Zero();
   for (std::size_t i = 0; i < log.size(); ++i) {
     if (detail::is_held(log, i)) continue;
     const auto pose = arm.model.kinematics(log.q[i]);
@@ -79,7 +87,11 @@ Samples<Dofs> samples_of(const Log<Dofs>& log, const RecordedArm<Dofs>& arm,
       Vector torque = sign * arm.gains.cwiseProduct(log.tau[i]);
       if constexpr (Dofs == 7)
         if (arm.is_panda) torque -= panda_friction(sample.dq);
-      if (i > 0) sample.tau_ext = (p - momentum) / sample.period - 0.5 * (torque + tau) - 0.5 * (s + drift);
+      if (i > 0) {
+        const Vector mean = (p - momentum) / sample.period - 0.5 * (torque + tau) - 0.5 * (s + drift);
+        observed += detail::observer_blend(out.bandwidth, sample.period) * (mean - observed);
+        sample.tau_ext = observed;
+      }
       momentum = p;
       drift = s;
       tau = torque;
