@@ -180,5 +180,6 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("replay_log", std::string(kUsage) + kArmUsage + kSettingsUsage + kReplayUsage + kOwnUsage, argc, argv, run);
+  return run_program("replay_log", std::string(kUsage) + kArmUsage + kSettingsUsage + kReplayUsage + kOwnUsage, argc,
+                     argv, run);
 }

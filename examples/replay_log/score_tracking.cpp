@@ -215,5 +215,6 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("score_tracking", std::string(kUsage) + kSettingsUsage + kReplayUsage + kOwnUsage, argc, argv, run);
+  return run_program("score_tracking", std::string(kUsage) + kSettingsUsage + kReplayUsage + kOwnUsage, argc, argv,
+                     run);
 }
