@@ -13,6 +13,17 @@ constexpr double kLeast = 1e-6;  // [N m]: below it a quantity is rounding
 constexpr double kGravity =
     2;  // rms of the model's gravity torque about its mean, to tell whether another follows it [N m]
 
+constexpr double kOutlier = 5;  // robust standard deviations
+
+/// Standard deviation by the median of the absolute values: what a few large ones cannot change.
+double deviation(Eigen::VectorXd values) {
+  if (values.size() == 0) return 0;
+  values = values.cwiseAbs();
+  double* const middle = values.data() + values.size() / 2;
+  std::nth_element(values.data(), middle, values.data() + values.size());
+  return *middle / 0.6745;
+}
+
 /// The residual's share that a block keeps of the one before.
 double kept(double duration, double correlation_time) {
   return correlation_time > 0 ? std::exp(-duration / correlation_time) : 0;
@@ -93,11 +104,14 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
   for (Eigen::Index j = 0; j < dofs; ++j) {
     JointFindings& joint = out[static_cast<std::size_t>(j)];
     // Autocovariance of what is left, up to five seconds.
-    double stiction = 0, at_rest = 0, duration = 0, blocks = 0, bend = 0, bends = 0;
+    double stiction = 0, at_rest = 0, duration = 0, blocks = 0;
+    std::vector<double> bends;
     std::vector<double> covariance(251, 0.0), count(251, 0.0);
     for (std::size_t k = 0; k < logs.size(); ++k) {
       const LogBlocks& log = logs[k];
-      const Eigen::VectorXd e = unexplained(log, k, out).col(j);
+      Eigen::VectorXd e = unexplained(log, k, out).col(j);
+      const double bound = kOutlier * deviation(e);  // an emergency stop says little of an arm at work
+      e = e.cwiseMax(-bound).cwiseMin(bound);
       for (Eigen::Index i = 0; i < log.blocks(); ++i) {
         duration += log.duration[i];
         ++blocks;
@@ -105,10 +119,7 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
           stiction += e[i] * e[i];
           ++at_rest;
         }
-        if (i >= 2) {
-          bend += std::pow(e[i] - 2 * e[i - 1] + e[i - 2], 2);
-          ++bends;
-        }
+        if (i >= 2) bends.push_back(e[i] - 2 * e[i - 1] + e[i - 2]);
         for (Eigen::Index lag = 0; lag <= std::min<Eigen::Index>(250, i); ++lag) {
           covariance[static_cast<std::size_t>(lag)] += e[i] * e[i - lag];
           ++count[static_cast<std::size_t>(lag)];
@@ -120,7 +131,9 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
     const double block = blocks > 0 ? duration / blocks : 0.02;
     joint.stiction = at_rest > 0 ? std::sqrt(stiction / at_rest) : 0;
     // Second differences leave little of what lasts: noise is at most what they show.
-    const double noise = std::min(covariance[0], bends > 0 ? bend / bends / 6 : 0), shared = covariance[0] - noise;
+    const double bend =
+        deviation(Eigen::Map<const Eigen::VectorXd>(bends.data(), static_cast<Eigen::Index>(bends.size())));
+    const double noise = std::min(covariance[0], bend * bend / 6), shared = covariance[0] - noise;
     joint.noise = std::sqrt(std::max(kLeast * kLeast, noise));
     joint.residual = std::sqrt(std::max(0.0, shared));
     std::size_t lag = 1;

@@ -1,6 +1,7 @@
 #include "replay_log/replay.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace rme::examples {
@@ -11,6 +12,11 @@ double nominal_period(const std::vector<double>& t) {
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   return *middle;
+}
+
+double observer_blend(double bandwidth, double period) {
+  constexpr double kPeriod = 0.001;  // [s]
+  return bandwidth > 0 ? 1 - std::pow(1 - std::min(1.0, bandwidth * kPeriod), period / kPeriod) : 1;
 }
 
 std::vector<std::string> LogTiming::notes() const {

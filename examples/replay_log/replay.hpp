@@ -66,6 +66,12 @@ struct LogTiming {
 /// Median time step [s]: the rate of a log whose stamps jitter. Needs two samples.
 double nominal_period(const std::vector<double>& t);
 
+/// The weight of a step's torque in what an observer says after it: that of a period of a millisecond, as often as it
+/// fits in, which is how BlockAverager takes the observer out again.
+/// @param bandwidth  [rad/s]; 0: no observer, 1
+/// @param period     of the step [s]
+double observer_blend(double bandwidth, double period);
+
 /// A log as a host would have fed it.
 template <int Dofs>
 struct Samples {

@@ -45,13 +45,6 @@ LogTiming timing_of(const Log<Dofs>& log) {
   return out;
 }
 
-/// The weight of a step's torque in what an observer says after it: that of a period of a millisecond, as often as it
-/// fits in, which is how BlockAverager takes the observer out again.
-inline double observer_blend(double bandwidth, double period) {
-  constexpr double kPeriod = 0.001;
-  return bandwidth > 0 ? 1 - std::pow(1 - std::min(1.0, bandwidth * kPeriod), period / kPeriod) : 1;
-}
-
 }  // namespace detail
 
 template <int Dofs>
@@ -89,7 +82,7 @@ Samples<Dofs> samples_of(const Log<Dofs>& log, const RecordedArm<Dofs>& arm,
         if (arm.is_panda) torque -= panda_friction(sample.dq);
       if (i > 0) {
         const Vector mean = (p - momentum) / sample.period - 0.5 * (torque + tau) - 0.5 * (s + drift);
-        observed += detail::observer_blend(out.bandwidth, sample.period) * (mean - observed);
+        observed += observer_blend(out.bandwidth, sample.period) * (mean - observed);
         sample.tau_ext = observed;
       }
       momentum = p;
