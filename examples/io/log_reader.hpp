@@ -23,6 +23,7 @@ struct Log {
   std::vector<JointVector<double, Dofs>> tau_ext;  ///< external torque [N m], or empty
   std::vector<JointVector<double, Dofs>> tau;      ///< measured torque, gravity included [N m], or empty
   std::vector<Vector4<double>> truth;  ///< payload (m, r_x, r_y, r_z), zero while the hand is empty; or empty
+  std::size_t same_instant = 0;        ///< rows that were left out, since they had the time stamp of the row before
 
   std::size_t size() const noexcept { return t.size(); }
 };
@@ -85,7 +86,11 @@ Log<Dofs> parse_log(std::string_view text, const std::string& name) {
   log.name = name;
   while (csv.next()) {
     const double time = csv.number(t);
-    if (!log.t.empty() && !(time > log.t.back())) csv.fail(t, "time does not increase from the row before");
+    if (!log.t.empty() && time < log.t.back()) csv.fail(t, "time does not increase from the row before");
+    if (!log.t.empty() && time == log.t.back()) {
+      ++log.same_instant;
+      continue;
+    }
     log.t.push_back(time);
     detail::append(csv, q, log.q);
     detail::append(csv, dq, log.dq);

@@ -79,7 +79,8 @@ std::string to_mjcf(const ArmModel<Dofs>& model, const JointFriction<Dofs>& fric
         << "\" fromto=\"0 0 -0.068 0 0 0.068\" material=\"joint\"/>\n";
   }
   out << "<geom size=\"0.04\" fromto=\"0 0 0 " << (0.6 * model.flange).format(numbers) << "\"/>\n"
-      << "<body name=\"flange\" pos=\"" << model.flange.format(numbers) << "\">" << kSpeck << "\n"
+      << "<body name=\"flange\" pos=\"" << model.flange.format(numbers) << "\" quat=\""
+      << quaternion(model.flange_rotation) << "\">" << kSpeck << "\n"
       << "<geom type=\"cylinder\" size=\"0.035\" fromto=\"0 0 -0.03 0 0 0\" material=\"joint\"/>\n"
       << kPayload << "</body></body>";
   for (std::size_t i = 0; i < model.links.size(); ++i) out << "</body>";

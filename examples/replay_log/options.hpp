@@ -1,8 +1,8 @@
 #pragma once
-/// The command-line options that every program which replays logs understands.
+/// The command-line options that every program which replays logs understands, beside those of recorded_arm.hpp.
 #include <optional>
-#include <rme/estimator_config.hpp>
 #include <string>
+#include <vector>
 
 #include "io/arguments.hpp"
 #include "replay_log/replay.hpp"
@@ -10,27 +10,40 @@
 
 namespace rme::examples {
 
+constexpr const char* kSettingsUsage =
+    "  --config C.json     settings of the estimator (rme/estimator_json.hpp); other options go before them\n"
+    "  --preset NAME       sensing of the arm: unknown (default), link_side, joint_friction\n"
+    "  --bandwidth W       of the observer that tau_ext comes from [rad/s] (50); 0: none\n";
 constexpr const char* kReplayUsage =
     "  --at T              the host says at T that the payload changes; ends with what is known a window later [s]\n"
     "  --window S          with --at: how long after it [s] (0.2)\n"
     "  --baseline B        auto (default), none, or T0:T1, when the hand is known to be empty [s]\n"
-    "  --config C.json     settings of the estimator (rme/estimator_json.hpp); other options go before them\n"
-    "  --weights W.json    a network, whose guess each final estimate is printed with\n"
-    "  --preset NAME       sensing of the arm: unknown (default), link_side, joint_friction\n"
-    "  --rated-payload M   heaviest payload of the arm [kg] (3)\n";
+    "  --weights W.json    a network, whose guess each final estimate is printed with\n";
 
-/// All that the options above say.
-struct ReplayRequest {
-  ReplayOptions options;
-  std::optional<NetworkFile> weights;
+/// An arm and the settings of its estimator.
+template <int Dofs>
+struct ArmSettings {
+  RecordedArm<Dofs> arm;
+  EstimatorConfig<double, Dofs> config;
+  std::vector<std::string> notes;  ///< what was assumed, a sentence each
 };
 
-/// Takes --config, --preset and --rated-payload out of `arguments`.
+/// Takes the first options above out of `arguments`.
 /// @throws ArgumentError naming what is wrong
-EstimatorConfig<double, 7> parse_estimator_config(Arguments& arguments);
+template <int Dofs>
+ArmSettings<Dofs> parse_settings(Arguments& arguments, const ArmRequest& arm);
 
-/// Takes the options above out of `arguments`.
+/// All that the options above say.
+template <int Dofs>
+struct ReplayRequest {
+  ReplayOptions<Dofs> options;
+  std::optional<NetworkFile> weights;
+  std::vector<std::string> notes;  ///< what was assumed, a sentence each
+};
+
+/// Takes all options above out of `arguments`.
 /// @throws ArgumentError naming what is wrong
-ReplayRequest parse_replay(Arguments& arguments);
+template <int Dofs>
+ReplayRequest<Dofs> parse_replay(Arguments& arguments, const ArmRequest& arm);
 
 }  // namespace rme::examples

@@ -1,9 +1,10 @@
 // replay_log: what would rme have believed, and when? A recording of an arm, played through the estimator.
 //
-// Reads a CSV log (plain or gzip) of a Franka Panda; columns by their names: t, q1..q7 and tau_ext1..7, or tau1..7
-// (measured torque, gravity included) with dq1..7; dq1..7 and the truth m, rx, ry, rz if there. Prints a line for each
-// event, as a table, or with --json each belief as one JSON object per line. Exit codes: 0; 2 unusable arguments;
-// 3 unreadable log.
+// Reads a CSV log (plain or gzip) of a Franka Panda, or of the arm that --urdf describes; columns by their names: t,
+// q1.. and tau_ext1.., or tau1.. (measured torque, gravity included, or motor current) with dq1..; dq1.. and the truth
+// m, rx, ry, rz if there. Prints a line for each event, as a table, or with --json each belief as one JSON object per
+// line. What was assumed, and what is odd about the time stamps, is said on stderr, or in objects of type "note". Exit
+// codes: 0; 2 unusable arguments; 3 unreadable log or URDF.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,22 +24,6 @@ using rme::Hypothesis;
 
 constexpr const char* kUsage = "usage: replay_log LOG.csv[.gz] [options]\n";
 constexpr const char* kOwnUsage = "  --json              one JSON object per line\n";
-
-/// What the command line asks for.
-struct Request {
-  std::string log;
-  ReplayRequest replay;
-  bool json = false;
-};
-
-Request parse(Arguments& arguments) {
-  Request request;
-  request.json = arguments.flag("--json");
-  request.replay = parse_replay(arguments);
-  request.log = arguments.positional("LOG.csv");
-  arguments.finish();
-  return request;
-}
 
 /// Odds of a payload, an empty one included, against a push [nats].
 double log_odds(const rme::EstimatorState<double>& state) {
@@ -119,47 +104,62 @@ void print_row(const ReplayedEstimate& e) {
 }
 
 /// What the network says to the 200 ms that end at `t`: (m, r), or null if it has learned from none like them.
-ordered_json guess_of(const NetworkFile& file, const Log<7>& log, double bandwidth, double t) {
-  const double dt = nominal_period(log.t);
+template <int Dofs>
+ordered_json guess_of(const NetworkFile& file, const Log<Dofs>& log, const Samples<Dofs>& samples, double t) {
+  const double dt = samples.timing.period;
   rme::SampleWindowConfig config;
-  config.observer_bandwidth = std::min(bandwidth, 1 / dt);
-  rme::SampleWindow<double, 7> window(dt, config);
-  const Log<7> last = cropped(log, t - 0.3, t + 0.5 * dt);
-  if (last.size() < 2) return nullptr;
-  for (const auto& sample : samples_of(last, bandwidth)) (void)window.push(sample);
+  config.observer_bandwidth = std::min(samples.bandwidth, 1 / dt);
+  rme::SampleWindow<double, Dofs> window(dt, config);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < samples.sample.size(); ++k) {
+    if (const double at = log.t[samples.row[k]]; at < t - 0.3 || at >= t + 0.5 * dt) continue;
+    (void)window.push(samples.sample[k]);
+    ++count;
+  }
+  if (count < 2) return nullptr;
   const rme::NetworkPrior<double> prior(*file.network, dt, file.config);
   rme::Vector4<double> said;
   return prior.guess(window, window.size(), said) ? ordered_json(list(said)) : ordered_json(nullptr);
 }
 
-int run(Arguments& arguments) {
-  const Request request = parse(arguments);
-  const Log<7> log = read_log<7>(request.log);
+template <int Dofs>
+int run(Arguments& arguments, const ArmRequest& arm) {
+  const bool json = arguments.flag("--json");
+  const ReplayRequest<Dofs> request = parse_replay<Dofs>(arguments, arm);
+  const std::string file = arguments.positional("LOG.csv");
+  arguments.finish();
+  const Log<Dofs> log = read_log<Dofs>(file);
   require_external_torque(log);
-  if (log.size() < 2) throw LogError(log.name + ": has a single row, which gives no sample rate");
-  if (!request.json) {
+  const Samples<Dofs> samples = samples_of(log, request.options.arm, request.options.estimator);
+  std::vector<std::string> notes = request.notes;
+  for (const std::string& note : samples.timing.notes()) notes.push_back(log.name + ": " + note);
+  for (const std::string& note : notes) {
+    if (json)
+      std::cout << ordered_json({{"type", "note"}, {"text", note}}).dump() << "\n";
+    else
+      std::fprintf(stderr, "replay_log: %s\n", note.c_str());
+  }
+  if (!json) {
     std::printf("%5s %8s %8s  %16s  %16s  %16s  %16s  %8s\n", "event", "from [s]", "at [s]", "mass [kg]", "x [mm]",
                 "y [mm]", "z [mm]", "took[us]");
   }
-  const auto& options = request.replay.options;
   const auto on_estimate = [&](const ReplayedEstimate& e) {
-    if (!request.json) {
+    if (!json) {
       print_row(e);
       return;
     }
-    const auto& weights = request.replay.weights;
     const ordered_json network =
-        weights && e.final ? guess_of(*weights, log, options.estimator.observer_bandwidth, e.t) : ordered_json();
+        request.weights && e.final ? guess_of(*request.weights, log, samples, e.t) : ordered_json();
     std::cout << to_json(e, network).dump() << "\n";
   };
   const auto on_push = [&](const ReplayedPush& r) {
-    if (request.json)
+    if (json)
       std::cout << to_json(r).dump() << "\n";
     else
       print_row(r);
   };
-  const ReplaySummary summary = replay(log, options, on_estimate, on_push);
-  if (request.json) {
+  const ReplaySummary summary = replay<Dofs>(log, samples, request.options, on_estimate, on_push);
+  if (json) {
     ordered_json out;
     out["type"] = "summary";
     out["samples"] = summary.samples;
@@ -172,8 +172,14 @@ int run(Arguments& arguments) {
   return 0;
 }
 
+int run(Arguments& arguments) {
+  const ArmRequest arm = parse_arm(arguments);
+  return with_joint_count(arm.dofs(), [&](auto dofs) { return run<dofs()>(arguments, arm); });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("replay_log", std::string(kUsage) + kReplayUsage + kOwnUsage, argc, argv, run);
+  return run_program("replay_log", std::string(kUsage) + kArmUsage + kSettingsUsage + kReplayUsage + kOwnUsage, argc,
+                     argv, run);
 }

@@ -82,10 +82,10 @@ struct Score {
 };
 
 Score score(const Log<7>& log, const std::string& scenario, double attach, const std::vector<double>& changes,
-            const ReplayOptions& options) {
+            const ReplayOptions<7>& options) {
   std::vector<Belief> beliefs{{-1e9, Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero()}};
-  replay(
-      log, options,
+  replay<7>(
+      log, samples_of(log, options.arm, options.estimator), options,
       [&](const ReplayedEstimate& e) {
         beliefs.push_back({e.t, e.state.payload.mean, e.state.payload.standard_deviation()});
       },
@@ -172,7 +172,7 @@ int run(Arguments& arguments) {
   faults.seed = arguments.whole("--seed", 0).value_or(1);
   if (!(faults.dq_noise >= 0 && faults.torque_step >= 0 && faults.lost >= 0 && faults.lost < 1))
     throw ArgumentError("--dq-noise, --torque-step: must be 0 or more, --lost below 1");
-  const ReplayRequest request = parse_replay(arguments);
+  const ReplayRequest<7> request = parse_replay<7>(arguments, parse_arm(arguments));
   std::vector<std::string> folders;
   do folders.push_back(arguments.positional("FOLDER"));
   while (!arguments.empty());
@@ -215,5 +215,6 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("score_tracking", std::string(kUsage) + kReplayUsage + kOwnUsage, argc, argv, run);
+  return run_program("score_tracking", std::string(kUsage) + kSettingsUsage + kReplayUsage + kOwnUsage, argc, argv,
+                     run);
 }

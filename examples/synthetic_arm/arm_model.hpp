@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <rme/core/types.hpp>
+#include <string>
 
 namespace rme::examples {
 
@@ -31,6 +32,11 @@ inline RigidBody operator+(const RigidBody& a, const RigidBody& b) {
     sum.inertia -= body->mass * lever * lever;
   }
   return sum;
+}
+
+/// The body in other axes: those in which its own axes' origin is at `offset` [m], and which `rotation` maps them to.
+inline RigidBody moved(const RigidBody& body, const Eigen::Vector3d& offset, const Eigen::Matrix3d& rotation) {
+  return {body.mass, rotation * body.com + offset, rotation * body.inertia * rotation.transpose()};
 }
 
 /// The same shape with `factor` of the density: how a payload that is being handed over weighs in.
@@ -85,19 +91,21 @@ template <int Dofs>
 struct ArmModel {
   using Vector = JointVector<double, Dofs>;
 
-  const char* name;
+  std::string name;
   std::array<Link, Dofs> links;  ///< from the base
-  Eigen::Vector3d flange;        ///< flange origin in the last link's axes [m]; the axes are the last link's
-  Vector ready;                  ///< a pose well inside the limits [rad]
-  Vector q_min, q_max;           ///< [rad]
-  Vector dq_max;                 ///< [rad/s]
-  Vector ddq_max;                ///< [rad/s^2]
-  Vector tau_max;                ///< [N m]
-  Vector dtau_max;               ///< [N m/s]
-  Vector typical_coulomb;        ///< Coulomb friction to expect of such joints [N m]
-  Vector typical_viscous;        ///< viscous friction to expect of such joints [N m s/rad]
-  Vector typical_noise;          ///< torque sensors: standard deviation of the white noise [N m]
-  Vector typical_offset;         ///< torque sensors: standard deviation of the constant offset [N m]
+  Eigen::Vector3d flange;        ///< flange origin in the last link's axes [m]
+  /// Flange axes to the last link's axes.
+  Eigen::Matrix3d flange_rotation = Eigen::Matrix3d::Identity();
+  Vector ready;            ///< a pose well inside the limits [rad]
+  Vector q_min, q_max;     ///< [rad]; infinite for a joint that turns on and on
+  Vector dq_max;           ///< [rad/s]
+  Vector ddq_max;          ///< [rad/s^2]
+  Vector tau_max;          ///< [N m]
+  Vector dtau_max;         ///< [N m/s]
+  Vector typical_coulomb;  ///< Coulomb friction to expect of such joints [N m]
+  Vector typical_viscous;  ///< viscous friction to expect of such joints [N m s/rad]
+  Vector typical_noise;    ///< torque sensors: standard deviation of the white noise [N m]
+  Vector typical_offset;   ///< torque sensors: standard deviation of the constant offset [N m]
   Eigen::Vector3d gravity_vector = standard_gravity<double>();  ///< world axes [m/s^2]
 
   /// Pose and Jacobian of the flange.
@@ -148,8 +156,8 @@ template <int Dofs>
 Kinematics<Dofs> ArmModel<Dofs>::kinematics(const Vector& q) const noexcept {
   const Frames at = frames(q);
   Kinematics<Dofs> out;
-  out.rotation = at.rotation.back();
-  out.position = at.origin.col(Dofs - 1) + out.rotation * flange;
+  out.rotation = at.rotation.back() * flange_rotation;
+  out.position = at.origin.col(Dofs - 1) + at.rotation.back() * flange;
   for (int i = 0; i < Dofs; ++i) {
     out.jacobian.template block<3, 1>(0, i) = at.axis.col(i).cross(out.position - at.origin.col(i));
     out.jacobian.template block<3, 1>(3, i) = at.axis.col(i);
@@ -161,8 +169,7 @@ template <int Dofs>
 auto ArmModel<Dofs>::inertia(const Frames& at, std::size_t i, const RigidBody& payload) const noexcept -> Inertia {
   const auto column = static_cast<Eigen::Index>(i);
   RigidBody body = links[i].body;
-  if (i + 1 == links.size() && payload.mass > 0)
-    body = body + RigidBody{payload.mass, payload.com + flange, payload.inertia};
+  if (i + 1 == links.size() && payload.mass > 0) body = body + moved(payload, flange, flange_rotation);
   const Eigen::Matrix3d& R = at.rotation[i];
   const Eigen::Vector3d c = at.origin.col(column) + R * body.com;
   Inertia out{body.mass, body.mass * c, R * body.inertia * R.transpose() - out.moment * c.transpose()};
@@ -234,7 +241,10 @@ double ArmModel<Dofs>::energy(const Vector& q, const Vector& dq, const RigidBody
 }
 
 // Compiled once, in instantiations.cpp; an arm of another number of joints compiles where it is used.
+extern template struct ArmModel<4>;
+extern template struct ArmModel<5>;
 extern template struct ArmModel<6>;
 extern template struct ArmModel<7>;
+extern template struct ArmModel<8>;
 
 }  // namespace rme::examples

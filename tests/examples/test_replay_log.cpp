@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <rme/core/payload.hpp>
 #include <sstream>
 #include <string>
 #include <synthetic_arm/panda.hpp>
+#include <urdf_arm/urdf_chain.hpp>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -204,6 +206,155 @@ TEST_CASE("replay_log: measured torque goes through the arm's own observer first
   CHECK(lines[0]["mass"].get<double>() == Approx(1.0).margin(0.01));
   CHECK(lines[0]["com"][0].get<double>() == Approx(0.05).margin(0.006));
 }
+
+#ifdef RME_HAS_URDFDOM
+const std::string six_joints = "--urdf \"" RME_TEST_DATA "/urdf/six_joints_5kg.urdf\" --base base_link --tip tool0 ";
+
+/// How a recording of a six-joint arm, which swings and holds 2 kg at (0.04, -0.03, 0.09) m from 2 s to 5 s, is
+/// written.
+struct Recording {
+  double shortest = 0.01, longest = 0.012;          ///< steps, evenly spread [s]
+  std::array<double, 6> gain = {1, 1, 1, 1, 1, 1};  ///< [N m] for what is written
+  Eigen::Vector3d gravity = {0, 0, -9.81};
+  double gap_from = 9, gap_to = 9;  ///< no rows in between [s]
+  bool repeats = false;             ///< each fifth row is there twice, each seventh once more at the next instant
+};
+
+std::string recording(const Recording& how) {
+  auto arm = rme::examples::arm_model<6>(
+      rme::examples::read_urdf(RME_TEST_DATA "/urdf/six_joints_5kg.urdf", "base_link", "tool0"));
+  arm.gravity_vector = how.gravity;
+  const auto payload = rme::examples::box(2, {0.04, -0.03, 0.09}, {0.1, 0.1, 0.1});
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> step(how.shortest, how.longest);
+  std::ostringstream text;
+  text.precision(12);
+  text << "t";
+  for (const char* name : {"q", "dq", "tau"})
+    for (int j = 1; j <= 6; ++j) text << ',' << name << j;
+  std::string row;
+  int number = 0;
+  for (double t = 0; t < 6; t += step(random), ++number) {
+    if (t > how.gap_from && t < how.gap_to) continue;
+    if (how.repeats && number % 7 == 3) {  // the sensors were not read
+      text << '\n' << t << row;
+      continue;
+    }
+    rme::JointVector<double, 6> q, dq, ddq;
+    for (int j = 0; j < 6; ++j) {
+      const double w = 1.2 + 0.17 * j, start = j == 1 ? -1.1 : j == 2 ? 1.3 : 0.6;
+      q[j] = start + 0.35 * (1 - std::cos(w * t));
+      dq[j] = 0.35 * w * std::sin(w * t);
+      ddq[j] = 0.35 * w * w * std::cos(w * t);
+    }
+    const auto terms = arm.dynamics(q, dq, t > 2 && t < 5 ? payload : rme::examples::RigidBody{});
+    const rme::JointVector<double, 6> tau = terms.mass_matrix * ddq + terms.coriolis + terms.gravity;
+    std::ostringstream cells;
+    cells.precision(12);
+    for (int j = 0; j < 6; ++j) cells << ',' << q[j];
+    for (int j = 0; j < 6; ++j) cells << ',' << dq[j];
+    for (int j = 0; j < 6; ++j) cells << ',' << tau[j] / how.gain[static_cast<std::size_t>(j)];
+    row = cells.str();
+    text << '\n' << t << row;
+    if (how.repeats && number % 5 == 0) text << '\n' << t << row;
+  }
+  return text.str() + '\n';
+}
+
+/// What is believed just before 5 s, when the payload goes.
+json held_in(const std::string& options, const Recording& how) {
+  const TemporaryFile log("six.csv", recording(how));
+  json last;
+  for (const json& line : replayed(six_joints + options + log.name))
+    if (line["type"] == "estimate" && line["t"] < 4.97) last = line;
+  return last;
+}
+
+TEST_CASE("replay_log: an arm comes from its URDF, and its torque from time stamps, at 50 Hz to 4 kHz",
+          "[replay_log]") {
+  struct Case {
+    const char* what;
+    std::string options;
+    Recording how;
+  };
+  Recording currents, wall, reaction, gap, repeats;
+  currents.gain = {12, 12, 10, 11, 11, -11};
+  wall.gravity = {6, 0, -7};
+  reaction.gain = {-1, -1, -1, -1, -1, -1};
+  gap.gap_from = 3;
+  gap.gap_to = 3.4;
+  repeats.repeats = true;
+  for (const Case& c : {Case{"10 to 12 ms", "", {}},
+                        {"50 Hz", "", {0.02, 0.02}},
+                        {"1 kHz, steps twice as long as others", "", {0.0007, 0.0014}},
+                        {"4 kHz", "", {0.00025, 0.00025}},
+                        {"a gap", "", gap},
+                        {"rows twice, and held", "", repeats},
+                        {"motor currents", "--gains 12,12,10,11,11,-11 ", currents},
+                        {"on a wall", "--gravity 6,0,-7 ", wall},
+                        {"reaction", "--torque-sign reaction ", reaction}}) {
+    CAPTURE(c.what);
+    const json held = held_in("--rated-payload 5 " + c.options, c.how);
+    CHECK(held["mass"].get<double>() == Approx(2).epsilon(0.01));
+    CHECK(held["com"][0].get<double>() == Approx(0.04).margin(0.003));
+    CHECK(held["com"][1].get<double>() == Approx(-0.03).margin(0.003));
+    CHECK(held["com"][2].get<double>() == Approx(0.09).margin(0.003));
+  }
+}
+
+TEST_CASE("replay_log: what is odd about time stamps, and what was assumed, is said once", "[replay_log]") {
+  Recording how;
+  how.shortest = 0.009;
+  how.longest = 0.014;
+  how.gap_from = 3;
+  how.gap_to = 3.4;
+  how.repeats = true;
+  const TemporaryFile log("odd.csv", recording(how));
+  const Result errors = errors_of(six_joints + log.name);
+  CHECK(errors.exit_code == 0);
+  for (const char* said :
+       {"steps of 9.0", "1 gap, the longest of 0.4", "have the time stamp of the row before",
+        "repeat the row before while the arm moves", "rated payload 7.9 kg, from the effort limits"}) {
+    CHECK_THAT(errors.text, contains(said));
+    CHECK(errors.text.find(said) == errors.text.rfind(said));
+  }
+  std::size_t notes = 0;
+  for (const json& line : replayed(six_joints + log.name)) notes += line["type"] == "note" ? 1 : 0;
+  CHECK(notes == 5);
+  CHECK(errors_of(log_of("link_side")).text.empty());
+}
+
+TEST_CASE("replay_log: a URDF that does not fit is refused, and why", "[replay_log]") {
+  const TemporaryFile log("short.csv",
+                          "t,q1,q2,q3,q4,q5,q6,tau1,tau2,tau3,tau4,tau5,tau6\n0,0,0,0,0,0,0,0,0,0,0,0,0\n");
+  const std::string urdf = "--urdf \"" RME_TEST_DATA "/urdf/six_joints_5kg.urdf\" ";
+  struct Case {
+    std::string arguments;
+    int exit_code;
+    const char* reason;
+  };
+  for (const Case& c :
+       {Case{urdf + log.name, 2, "--base: missing"},
+        {urdf + "--base base_link " + log.name, 2, "--tip: missing"},
+        {"--tip tool0 " + log.name, 2, "--tip: means nothing without --urdf"},
+        {six_joints + "--gains 1,2,3 " + log.name, 2, "--gains: \"1,2,3\" is not 6 finite numbers"},
+        {six_joints + "--gains 1,2,3,4,5,0 " + log.name, 2, "--gains: must not be zero"},
+        {six_joints + "--gravity 0,0,0 " + log.name, 2, "--gravity: must not be zero"},
+        {six_joints + "--torque-sign up " + log.name, 2, "--torque-sign: \"up\" is none of external"},
+        {six_joints + "--bandwidth -1 " + log.name, 2, "EstimatorConfig::observer_bandwidth"},
+        {urdf + "--base base_link --tip flange " + log.name, 3, "has no link flange; there are base_link"},
+        {"--urdf absent.urdf --base a --tip b " + log.name, 3, "absent.urdf: cannot be opened"},
+        {six_joints + log.name, 3, "columns dq1..dq6 are missing"},
+        {six_joints + log_of("link_side"), 3, "column q7: the arm has 6 joints"}}) {
+    CAPTURE(c.arguments);
+    const Result errors = errors_of(c.arguments);
+    CHECK(errors.exit_code == c.exit_code);
+    CHECK_THAT(errors.text, contains("replay_log: ") && contains(c.reason));
+  }
+  const TemporaryFile slow("slow.csv", recording({0.03, 0.03}));
+  CHECK_THAT(errors_of(six_joints + slow.name).text, contains("at least 50 a second are needed"));
+}
+#endif
 
 TEST_CASE("replay_log: unusable arguments end with exit code 2, the reason and the usage", "[replay_log]") {
   struct Case {

@@ -1,13 +1,15 @@
-// injection: are the intervals honest on a real arm? Payloads added to a recording in which the hand was empty.
+// injection: is a payload found on a real arm, and do the intervals hold? Payloads added to a recording in which the
+// hand was empty.
 //
 // No log of a real arm comes with a hundred payloads whose truth is known, but one without any is easily had. A payload
 // of known mass and centre of mass exerts a known joint torque, inertia force included: added to what was recorded from
 // an instant on, it is what the arm would have reported had it moved the same. Noise, friction and the errors of the
 // arm's model stay those of the real arm.
 //
-// Printed are, over windows at random instants: what is estimated where nothing was injected; payloads of 0 to 1.5 kg
-// with the instant known to the estimator, and with the instant left to the detector; and how often the detector finds
-// something in the log as it is. Windows overlap where the log is short, so that their errors are not independent.
+// Printed are, over random instants: what is believed where nothing was injected; payloads of a tenth to half of the
+// rated one that nobody announced, and the same announced; and what is believed of the log as it is. Windows overlap
+// where the log is short, so that their errors are not independent.
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -16,39 +18,34 @@
 #include <string>
 #include <vector>
 
-#include "event_replay/options.hpp"
 #include "io/program.hpp"
-#include "paper/calibration/scores.hpp"
 #include "paper/injection/payload_injection.hpp"
+#include "replay_log/options.hpp"
 
 namespace {
 
 using namespace rme::examples;
-using Config = rme::EventEstimatorConfig<double, 7>;
 
 constexpr const char* kUsage =
-    R"(usage: rme_injection LOG.csv[.gz] [options]
+    "usage: rme_injection LOG.csv[.gz] [options]\n"
+    "\n"
+    "Adds payloads to a log in which the hand is empty, and says how good and how honest the estimates are.\n"
+    "\n";
+constexpr const char* kOwnUsage =
+    "  --windows N         instants at which a payload is added, in turn (100)\n"
+    "  --before S          for which the log is played before each [s] (5)\n"
+    "  --after S           after which what is believed is judged [s] (1)\n"
+    "  --span T0:T1        only what the log holds of [T0, T1) [s]\n"
+    "  --seed N            of everything random (1)\n"
+    "  --output DIR        write injection.csv there; the folder is made if need be. plot.py draws it\n"
+    "\n"
+    "Exit codes: 0 done; 2 unusable arguments; 3 unusable log.\n";
 
-Adds payloads to a log in which the hand is empty, and says how good and how honest the estimates are.
-
-  --windows N         instants at which a payload is added, in turn (default 100)
-  --config C.json     settings of the estimator (rme/event_estimator_json.hpp), as identify_noise measures them
-  --preset NAME       sensing of the arm: unknown (default), link_side, joint_friction
-  --span T0:T1        only what the log holds of [T0, T1) [s]
-  --seed N            of everything random (default 1)
-  --output DIR        write injection.csv there; the folder is made if need be. plot.py draws it
-  --help              this text
-
-Exit codes: 0 done; 2 unusable arguments; 3 unusable log.
-)";
-
-constexpr double kBefore = 1.5, kAfter = 2;  // the log is played from and to around an instant, if it is that long [s]
+constexpr double kNinety = 1.6448536269514722;  // half width of a Gaussian's 90 % interval [standard deviations]
 
 struct Options {
-  std::string log;
-  Config config;
-  std::size_t windows = 100;
-  std::uint64_t seed = 1;
+  std::size_t windows = 100, seed = 1;
+  double before = 5, after = 1;  // [s]
   std::optional<std::vector<double>> span;
   std::optional<std::string> output;
 };
@@ -57,78 +54,103 @@ Options parse(Arguments& arguments) {
   Options options;
   options.windows = arguments.whole("--windows", 1, 1000000).value_or(options.windows);
   options.seed = arguments.whole("--seed", 0).value_or(options.seed);
+  options.before = arguments.number("--before").value_or(options.before);
+  options.after = arguments.number("--after").value_or(options.after);
+  if (!(options.before >= 0.1)) throw ArgumentError("--before: must be 0.1 s or more");
+  if (!(options.after >= 0.05)) throw ArgumentError("--after: must be 0.05 s or more");
   options.span = arguments.numbers("--span", 2, ':');
   if (options.span && !((*options.span)[0] < (*options.span)[1])) throw ArgumentError("--span: T0 must be below T1");
   options.output = arguments.text("--output");
-  options.config = parse_estimator(arguments);
-  options.config.validate(1e-3);
-  options.log = arguments.positional("LOG.csv");
-  arguments.finish();
   return options;
 }
 
-/// Instants and payloads of one table: the same in all that have payloads.
-std::vector<Injected> draw(const Options& options, const Recording& recording, bool empty) {
+/// What is believed at one instant, beside the truth.
+struct Scored {
+  double t;  // of the injection [s]
+  Eigen::Vector4d truth, error, deviation;
+  bool found;  // the hand is not empty
+};
+
+struct Table {
+  const char* name;
+  std::vector<Scored> scored;
+  int pushes = 0;
+};
+
+/// Instants and payloads: the same in all tables that have payloads.
+std::vector<Injected> draw(const Options& options, const std::vector<double>& t, double rated) {
   std::mt19937_64 random(options.seed);
   const auto uniform = [&random](double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(random);
   };
-  const double duration = static_cast<double>(recording.ticks.size()) * recording.dt;
-  const double first = std::min(kBefore, duration / 2), last = duration - std::min(kAfter, duration / 2);
-  if (last + options.config.collection > duration || last < first)
-    throw LogError("the log is shorter than two collections");
+  const double first = t.front() + std::min(options.before, 0.5 * (t.back() - t.front()));
+  const double last = t.back() - options.after - 0.05;
+  if (!(last > first)) throw LogError("the log is shorter than what is played before and after an instant");
   std::vector<Injected> out;
   for (std::size_t i = 0; i < options.windows; ++i) {
-    Injected injected;
-    injected.row = static_cast<std::size_t>(uniform(first, last) / recording.dt);
-    injected.payload.mass = uniform(0, 1.5);
-    for (int k = 0; k < 2; ++k) injected.payload.com[k] = uniform(-0.08, 0.08);
-    injected.payload.com[2] = uniform(0, 0.2);
-    injected.gyration_radius = uniform(0.015, 0.04);  // boxes of 4 to 10 cm
-    if (empty) injected.payload = rme::Payload<double>();
-    out.push_back(injected);
+    Injected injection;
+    injection.t = uniform(first, last);
+    rme::Payload<double> payload;
+    payload.mass = uniform(0.1, 0.5) * rated;
+    for (int k = 0; k < 2; ++k) payload.com[k] = uniform(-0.08, 0.08);
+    payload.com[2] = uniform(0, 0.2);
+    const double radius = uniform(0.015, 0.04);  // of gyration: boxes of 4 to 10 cm
+    injection.payload =
+        rme::InertialParameters<double>::of_body(payload, payload.mass * radius * radius * Eigen::Matrix3d::Identity());
+    out.push_back(injection);
   }
   return out;
 }
 
-/// One table: the estimates of all windows.
-struct Table {
-  const char* name;
-  std::vector<double> t;       // of the instants of those estimated [s]
-  std::vector<Scored> scored;  // an empty hand as a mass of 0
-  std::vector<Scored> held;    // without those: an empty hand has no centre of mass
-  int refused = 0, unnoticed = 0;
-};
-
-Table estimate(const char* name, const Options& options, const Recording& recording,
-               const std::vector<Injected>& injections, bool known) {
-  Table table{name, {}, {}, {}, 0, 0};
-  for (const Injected& injected : injections) {
-    const Outcome outcome = estimate_injected(recording, options.config, injected, kBefore, kAfter, known);
-    if (!outcome.scored) {
-      ++(outcome.refused > 0 ? table.refused : table.unnoticed);
-      continue;
-    }
-    table.t.push_back(recording.t[injected.row]);
-    table.scored.push_back(*outcome.scored);
-    if (!outcome.empty) table.held.push_back(*outcome.scored);
+template <int Dofs>
+Table estimate(const char* name, const Options& options, const Log<Dofs>& log, const Samples<Dofs>& samples,
+               const ArmSettings<Dofs>& settings, const std::vector<Injected>& injections, bool empty, bool announced) {
+  Table table{name, {}, 0};
+  const auto motion = motion_of(log, samples);
+  for (Injected injection : injections) {
+    if (empty) injection.payload = {};
+    const Samples<Dofs> played = injected(log, samples, motion, settings.arm.model.gravity_vector, injection,
+                                          injection.t - options.before, injection.t + options.after);
+    ReplayOptions<Dofs> replayed;
+    replayed.arm = settings.arm;
+    replayed.estimator = settings.config;
+    if (announced) replayed.at = injection.t;
+    replayed.window = 2 * options.after;  // longer than what is played: the last belief counts
+    Scored scored{injection.t, Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero(), false};
+    const rme::Payload<double> truth = injection.payload.payload();
+    scored.truth << truth.mass, truth.com;
+    replay<Dofs>(
+        log, played, replayed,
+        [&](const ReplayedEstimate& e) {
+          scored.error = e.state.payload.mean - scored.truth;
+          scored.deviation = e.state.payload.standard_deviation();
+          scored.found = !e.state.empty();
+        },
+        [&](const ReplayedPush& push) { table.pushes += push.t > injection.t ? 1 : 0; });
+    table.scored.push_back(scored);
   }
   return table;
 }
 
 void print(const Table& table, bool with_com) {
-  std::printf("\n%s: %zu estimates, %zu of them of an empty hand; %d refused, %d not noticed\n", table.name,
-              table.scored.size(), table.scored.size() - table.held.size(), table.refused, table.unnoticed);
-  if (table.scored.empty()) return;
-  std::printf("%-9s %7s %7s %7s |%7s%7s%7s%7s  %% hold |%11s\n", "", "mae", "rms", "bias", "50", "80", "90", "95",
-              "half width");
+  std::size_t found = 0;
+  for (const Scored& s : table.scored) found += s.found ? 1 : 0;
+  std::printf("\n%s: something is held in %zu of %zu; %d events taken for a push\n", table.name, found,
+              table.scored.size(), table.pushes);
+  std::printf("%-9s %7s %7s %7s | %9s | %11s\n", "", "mae", "rms", "bias", "90 % hold", "half width");
+  const char* names[] = {"mass [g]", "x [mm]", "y [mm]", "z [mm]"};
+  const auto n = static_cast<double>(table.scored.size());
   for (int i = 0; i < (with_com ? 4 : 1); ++i) {
-    const std::vector<Scored>& scored = i == 0 ? table.scored : table.held;
-    if (scored.empty()) return;
-    const Summary s = summarise(scored, i);
-    std::printf("%-9s %7.2f %7.2f %7.2f |", kParameters[static_cast<std::size_t>(i)], s.mean_absolute, s.rms, s.bias);
-    for (const double coverage : s.coverage) std::printf("%7.1f", coverage);
-    std::printf("         |%11.2f\n", s.half_width);
+    double absolute = 0, square = 0, bias = 0, held = 0, width = 0;
+    for (const Scored& s : table.scored) {
+      absolute += std::abs(s.error[i]) / n;
+      square += s.error[i] * s.error[i] / n;
+      bias += s.error[i] / n;
+      held += std::abs(s.error[i]) <= kNinety * s.deviation[i] ? 1 / n : 0;
+      width += kNinety * s.deviation[i] / n;
+    }
+    std::printf("%-9s %7.2f %7.2f %7.2f | %9.1f | %11.2f\n", names[i], 1e3 * absolute, 1e3 * std::sqrt(square),
+                1e3 * bias, 100 * held, 1e3 * width);
   }
 }
 
@@ -137,50 +159,65 @@ void write_csv(const std::filesystem::path& folder, const std::vector<Table>& ta
   file << "table,t,mass,x,y,z,mass_error,x_error,y_error,z_error,mass_std,x_std,y_std,z_std\n";
   const Eigen::IOFormat cells(Eigen::StreamPrecision, Eigen::DontAlignCols, ",", ",");
   for (const Table& table : tables)
-    for (std::size_t i = 0; i < table.scored.size(); ++i) {
-      const Scored& s = table.scored[i];
-      file << table.name << ',' << table.t[i] << ',' << s.truth.format(cells) << ',' << s.error.format(cells) << ','
+    for (const Scored& s : table.scored)
+      file << table.name << ',' << s.t << ',' << s.truth.format(cells) << ',' << s.error.format(cells) << ','
            << s.deviation.format(cells) << '\n';
-    }
   if (!file.flush()) throw LogError("--output: cannot write to " + folder.string());
 }
 
-/// What the detector finds in the log as it is.
-void print_false_estimates(const Options& options, const Recording& recording) {
-  rme::EventEstimator<double, 7> estimator(recording.dt, options.config);
-  int estimates = 0, rejected = 0;
-  for (const auto& tick : recording.ticks) {
-    if (estimator.update(tick) != rme::Status::Ok) continue;
-    if (estimator.estimated() && !estimator.estimate().empty) ++estimates;
-    if (estimator.rejected()) ++rejected;
-  }
-  const double minutes = static_cast<double>(recording.ticks.size()) * recording.dt / 60;
-  std::printf("\nthe log as it is, %.1f s: %d false estimates (%.1f per minute), %d changes refused\n", 60 * minutes,
-              estimates, estimates / minutes, rejected);
+/// What is believed of the log as it is.
+template <int Dofs>
+void print_false_payloads(const Log<Dofs>& log, const Samples<Dofs>& samples, const ArmSettings<Dofs>& settings) {
+  ReplayOptions<Dofs> options;
+  options.arm = settings.arm;
+  options.estimator = settings.config;
+  int attached = 0;
+  double largest = 0;
+  const ReplaySummary summary = replay<Dofs>(
+      log, samples, options,
+      [&](const ReplayedEstimate& e) {
+        attached += e.final && !e.state.empty() ? 1 : 0;
+        if (e.state.probability[rme::Hypothesis::Empty] < 0.1) largest = std::max(largest, e.state.payload.mean[0]);
+      },
+      [](const ReplayedPush&) {});
+  std::printf(
+      "\nthe log as it is, %.1f s: %d payloads that are not there, the heaviest that is surely believed %.3f kg; "
+      "%d changes taken for a push\n",
+      log.t.back() - log.t.front(), attached, largest, summary.rejected);
+}
+
+template <int Dofs>
+int run(Arguments& arguments, const ArmRequest& arm) {
+  const ArmSettings<Dofs> settings = parse_settings<Dofs>(arguments, arm);
+  const Options options = parse(arguments);
+  const std::string file = arguments.positional("LOG.csv");
+  arguments.finish();
+  if (options.output) make_folder("--output", *options.output);
+  for (const std::string& note : settings.notes) std::fprintf(stderr, "rme_injection: %s\n", note.c_str());
+  Log<Dofs> log = read_log<Dofs>(file);
+  require_external_torque(log);
+  if (options.span) log = cropped(log, (*options.span)[0], (*options.span)[1]);
+  if (log.size() < 2) throw LogError(log.name + ": has fewer than two rows, which gives no sample rate");
+  require_empty_hand(log);
+  const Samples<Dofs> samples = samples_of(log, settings.arm, settings.config);
+  const auto injections = draw(options, log.t, settings.config.rated_payload);
+  std::vector<Table> tables;
+  tables.push_back(estimate("nothing injected", options, log, samples, settings, injections, true, false));
+  tables.push_back(estimate("payload", options, log, samples, settings, injections, false, false));
+  tables.push_back(estimate("payload announced", options, log, samples, settings, injections, false, true));
+  for (const Table& table : tables) print(table, &table != &tables.front());
+  print_false_payloads(log, samples, settings);
+  if (options.output) write_csv(*options.output, tables);
+  return 0;
 }
 
 int run(Arguments& arguments) {
-  const Options options = parse(arguments);
-  if (options.output) make_folder("--output", *options.output);
-  const Log<7> log = read_log<7>(options.log);
-  require_external_torque(log);
-  const Log<7> part = options.span ? cropped(log, (*options.span)[0], (*options.span)[1]) : log;
-  if (part.size() < 2) throw LogError(log.name + ": has fewer than two rows, which gives no sample rate");
-  require_empty_hand(part);
-  const Recording recording = recording_of(part, options.config.window.observer_bandwidth);
-  const auto nothing = draw(options, recording, true), payloads = draw(options, recording, false);
-  std::vector<Table> tables;
-  tables.push_back(estimate("nothing injected", options, recording, nothing, true));
-  tables.push_back(estimate("instant known", options, recording, payloads, true));
-  tables.push_back(estimate("instant detected", options, recording, payloads, false));
-  for (const Table& table : tables) print(table, &table != &tables.front());
-  print_false_estimates(options, recording);
-  if (options.output) write_csv(*options.output, tables);
-  return 0;
+  const ArmRequest arm = parse_arm(arguments);
+  return with_joint_count(arm.dofs(), [&](auto dofs) { return run<dofs()>(arguments, arm); });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("rme_injection", kUsage, argc, argv, run);
+  return run_program("rme_injection", std::string(kUsage) + kArmUsage + kSettingsUsage + kOwnUsage, argc, argv, run);
 }

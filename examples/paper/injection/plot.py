@@ -2,7 +2,7 @@
 """Draws what rme_injection --output DIR has written.
 
 Left, each estimated mass with its 90 % interval over the true one; right, how often intervals of every level hold the
-true mass. Colours: whether the estimator was told the instant or had to detect it.
+true mass. Colours: whether the estimator was told of the payload.
 """
 import math
 import pathlib
@@ -11,7 +11,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment"))
 from plotting import main, plt, read
 
-TABLES = (("instant known", "#0072b2"), ("instant detected", "#d55e00"))
+TABLES = (("payload announced", "#0072b2"), ("payload", "#d55e00"))
 HALF_WIDTH = 1.644854  # of a 90 % interval [standard deviations]
 
 

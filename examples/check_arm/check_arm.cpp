@@ -1,0 +1,290 @@
+// check_arm: what does this arm's torque look like with an empty hand, and what can be seen through it?
+//
+// Reads logs that replay_log reads, in which the hand is empty, and prints for each joint noise, offset, friction and
+// what else is left; whether sign, units and frames can be right; the lightest payload that shows within 0.2, 1 and
+// 5 s; and what the estimator, with the settings that follow, believes of these very logs. With --output it writes
+// those settings (settings.json, for replay_log --config and for Estimator), and what plot.py draws. The logs should
+// show what the arm does at work: each joint in both directions, slowly and fast, with stops. Exit codes: 0; 1 the logs
+// cannot be of this arm as described; 2 unusable arguments; 3 unusable log or URDF.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <rme/estimator_json.hpp>
+#include <string>
+#include <vector>
+
+#include "check_arm/joint_findings.hpp"
+#include "check_arm/observer_step.hpp"
+#include "io/program.hpp"
+#include "replay_log/options.hpp"
+
+namespace {
+
+using namespace rme::examples;
+
+constexpr const char* kUsage = "usage: check_arm LOG.csv[.gz]... [options]\n";
+constexpr const char* kOwnUsage =
+    "  --span T0:T1        only what the logs hold of [T0, T1) [s]\n"
+    "  --output FOLDER     settings.json, and what plot.py draws\n";
+
+constexpr double kWindows[] = {0.2, 1, 5};  // [s]
+
+template <int Dofs>
+struct Checked {
+  std::vector<Log<Dofs>> logs;
+  std::vector<Samples<Dofs>> samples;
+  std::vector<LogBlocks> blocks;
+};
+
+template <int Dofs>
+Checked<Dofs> read(const std::vector<std::string>& files, const std::optional<std::vector<double>>& span,
+                   const ArmSettings<Dofs>& settings) {
+  Checked<Dofs> out;
+  double seconds = 0;
+  for (const std::string& file : files) {
+    Log<Dofs> log = read_log<Dofs>(file);
+    require_external_torque(log);
+    if (span) log = cropped(log, (*span)[0], (*span)[1]);
+    if (log.size() < 2) throw LogError(log.name + ": has fewer than two rows, which gives no sample rate");
+    require_empty_hand(log);
+    out.samples.push_back(samples_of(log, settings.arm, settings.config));
+    for (const std::string& note : out.samples.back().timing.notes())
+      std::fprintf(stderr, "check_arm: %s: %s\n", log.name.c_str(), note.c_str());
+    out.blocks.push_back(blocks_of(log, out.samples.back(), settings.arm));
+    seconds += out.blocks.back().duration.sum();
+    out.logs.push_back(log);
+  }
+  if (seconds < 5)
+    throw LogError(files.front() + ": 5 s of an empty hand are needed, the logs hold " + std::to_string(seconds));
+  return out;
+}
+
+void print(const char* name, const std::vector<JointFindings>& joints, const char* format,
+           double (*value)(const JointFindings&), bool (*known)(const JointFindings&)) {
+  std::printf("%-26s", name);
+  for (const JointFindings& joint : joints) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, value(joint));
+    std::printf("%9s", known(joint) ? text : "?");
+  }
+  std::printf("\n");
+}
+
+double rms(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v * v;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+void print(const std::vector<JointFindings>& joints) {
+  const auto always = [](const JointFindings&) { return true; };
+  const auto friction = [](const JointFindings& j) { return j.friction_known; };
+  const auto gravity = [](const JointFindings& j) { return j.gravity_seen; };
+  const auto rests = [](const JointFindings& j) { return j.rests; };
+  std::printf("%-26s", "joint");
+  for (std::size_t j = 1; j <= joints.size(); ++j) std::printf("%9zu", j);
+  std::printf("\n");
+  print(
+      "noise of 20 ms [N m]", joints, "%.4f", [](const JointFindings& j) { return j.noise; }, always);
+  print(
+      "offset, rms of logs [N m]", joints, "%.3f", [](const JointFindings& j) { return rms(j.offset); }, always);
+  print(
+      "Coulomb friction [N m]", joints, "%.3f", [](const JointFindings& j) { return j.coulomb; }, friction);
+  print(
+      "viscous [N m s/rad]", joints, "%.3f", [](const JointFindings& j) { return j.viscous; }, friction);
+  print(
+      "stiction at rest [N m]", joints, "%.3f", [](const JointFindings& j) { return j.stiction; }, rests);
+  print(
+      "left in motion [N m]", joints, "%.3f", [](const JointFindings& j) { return j.residual; }, always);
+  print(
+      "  correlated over [s]", joints, "%.2f", [](const JointFindings& j) { return j.correlation_time; }, always);
+  print(
+      "follows gravity by", joints, "%.2f", [](const JointFindings& j) { return j.gravity_slope; }, gravity);
+  std::printf("? the logs do not tell: the joint has to move both ways, or to rest, for a second each\n\n");
+}
+
+/// Whether sign, units and frames can be right: an empty hand's external torque holds no gravity.
+/// @return whether they can
+bool judge_gravity(const std::vector<JointFindings>& joints, bool measured) {
+  constexpr double kFollows = 0.5, kCorrelated = 0.8;
+  bool good = true;
+  int seen = 0;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const JointFindings& joint = joints[j];
+    if (!joint.gravity_seen) continue;
+    ++seen;
+    if (std::abs(joint.gravity_slope) < kFollows || std::abs(joint.gravity_correlation) < kCorrelated) continue;
+    good = false;
+    // Of a measured torque, tau_ext = g - tau: what follows g by 1 has no gravity in tau, by 2 the opposite sign.
+    const char* reason = "another unit (--gains), or another arm";
+    if (measured && joint.gravity_slope > 1.5)
+      reason = "tau seems to have the opposite sign: --torque-sign reaction";
+    else if (measured && joint.gravity_slope > kFollows)
+      reason =
+          "tau seems to be without gravity, or in amperes (--gains): a column tau_ext, with the gravity taken out, "
+          "would fit";
+    else if (!measured)
+      reason = "gravity seems to be left in tau_ext: a column tau would fit";
+    std::printf("joint %zu: the torque follows the model's gravity by %.2f (correlation %.2f): %s\n", j + 1,
+                joint.gravity_slope, joint.gravity_correlation, reason);
+  }
+  if (good && seen > 0)
+    std::printf("sign, units and frames of the torque can be right: no joint follows the model's gravity\n");
+  if (seen == 0)
+    std::printf("gravity hardly changes in these logs: they do not show whether sign, units and frames are right\n");
+  if (!measured) std::printf("whether tau_ext has the right sign, a known weight on the arm will tell\n");
+  return good;
+}
+
+template <int Dofs>
+rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>& joints,
+                                               const ArmSettings<Dofs>& given) {
+  rme::EstimatorConfig<double, Dofs> out = given.config;
+  const auto usual = out.arm.value_or(rme::ArmPrior<double, Dofs>::of(out.rated_payload));
+  rme::ArmPrior<double, Dofs> arm = usual;
+  // No link-side sensor and no friction model explains a residual beyond this share of what such an arm may show.
+  constexpr double kRough = 0.1;
+  double friction = 0, noise = 0, residual = 0, limit = 0;
+  for (int j = 0; j < Dofs; ++j) {
+    const JointFindings& joint = joints[static_cast<std::size_t>(j)];
+    const auto logs = static_cast<double>(joint.offset.size());
+    arm.noise[j] = std::max(joint.noise, 1e-4);
+    // A handful of logs says little about how far offsets spread: the usual one counts as one more.
+    const double square = rms(joint.offset) * rms(joint.offset) * logs + usual.offset[j] * usual.offset[j];
+    arm.offset[j] = std::sqrt(square / (logs + 1));
+    arm.residual[j] = std::max(joint.residual, 1e-3);
+    residual += joint.residual;
+    limit += kRough * usual.residual[j];
+    if (joint.friction_known) {
+      arm.coulomb[j] = std::max(joint.coulomb, 1e-3);
+      arm.viscous[j] = std::max(joint.viscous, 1e-3);
+      friction += joint.coulomb;
+      noise += joint.noise + joint.residual;
+    }
+  }
+  // What friction a link-side sensor shows is the model's error.
+  if (!out.sensing && residual > limit)
+    out.sensing = rme::Sensing::RoughModel;
+  else if (!out.sensing && friction > noise)
+    out.sensing = rme::Sensing::JointFriction;
+  out.arm = arm;
+  return out;
+}
+
+/// What the estimator believes of the logs, which it should take for an empty hand's.
+template <int Dofs>
+void print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& settings) {
+  std::printf("\nwith these settings, of these logs          mean mass [kg]  largest sure of [kg]  empty  health\n");
+  for (std::size_t k = 0; k < checked.logs.size(); ++k) {
+    ReplayOptions<Dofs> options;
+    options.arm = settings.arm;
+    options.estimator = settings.config;
+    double mass = 0, largest = 0, empty = 0, health = 0, time = 0, last = checked.logs[k].t.front();
+    replay<Dofs>(
+        checked.logs[k], checked.samples[k], options,
+        [&](const ReplayedEstimate& e) {
+          const double step = e.t - last;
+          last = e.t;
+          const auto& payload = e.state.payload;
+          mass += step * payload.mean[0];
+          empty += e.state.empty() ? step : 0;
+          health += step * e.state.health;
+          time += step;
+          if (e.state.probability[rme::Hypothesis::Empty] < 0.1) largest = std::max(largest, payload.mean[0]);
+        },
+        [](const ReplayedPush&) {});
+    std::printf("  %-40.40s %15.3f %21.3f %5.0f%% %7.1f\n",
+                checked.logs[k].name.substr(checked.logs[k].name.rfind('/') + 1).c_str(), mass / time, largest,
+                100 * empty / time, health / time);
+  }
+}
+
+template <int Dofs>
+void write(const std::string& folder, const Checked<Dofs>& checked, const std::vector<JointFindings>& joints,
+           const std::vector<Visibility>& seen, const rme::EstimatorConfig<double, Dofs>& config) {
+  make_folder("--output", folder);
+  std::ofstream(folder + "/settings.json") << rme::estimator_config_to_json(config).dump(2) << "\n";
+  std::ofstream blocks(folder + "/blocks.csv"), windows(folder + "/windows.csv");
+  blocks << "log,t";
+  for (const char* name : {"tau", "dq", "left"})
+    for (int j = 1; j <= Dofs; ++j) blocks << ',' << name << j;
+  for (std::size_t k = 0; k < checked.blocks.size(); ++k) {
+    const LogBlocks& log = checked.blocks[k];
+    const Eigen::MatrixXd left = unexplained(log, k, joints);
+    for (Eigen::Index i = 0; i < log.blocks(); ++i) {
+      blocks << '\n' << k << ',' << log.end[i];
+      for (const Eigen::MatrixXd* m : {&log.tau, &log.velocity, &left})
+        for (int j = 0; j < Dofs; ++j) blocks << ',' << (*m)(i, j);
+    }
+  }
+  windows << "window,mass,expected,moment";
+  for (const Visibility& v : seen)
+    windows << '\n' << v.window << ',' << v.mass << ',' << v.expected_mass << ',' << v.moment;
+  blocks << '\n';
+  windows << '\n';
+  if (!blocks.flush() || !windows.flush()) throw LogError(folder + ": cannot be written");
+}
+
+template <int Dofs>
+int run(Arguments& arguments, const ArmRequest& request) {
+  ArmSettings<Dofs> settings = parse_settings<Dofs>(arguments, request);
+  const auto span = arguments.numbers("--span", 2, ':');
+  if (span && !((*span)[0] < (*span)[1])) throw ArgumentError("--span: T0 must be below T1");
+  const auto folder = arguments.text("--output");
+  std::vector<std::string> files;
+  do files.push_back(arguments.positional("LOG.csv"));
+  while (!arguments.empty());
+  for (const std::string& note : settings.notes) std::fprintf(stderr, "check_arm: %s\n", note.c_str());
+  const Checked<Dofs> checked = read<Dofs>(files, span, settings);
+  const std::vector<JointFindings> joints = find_joints(checked.blocks);
+
+  std::printf("%s, %d joints, rated for %.3g kg\n\n", settings.arm.model.name.c_str(), Dofs,
+              settings.config.rated_payload);
+  print(joints);
+  const bool measured = checked.logs.front().tau_ext.empty();
+  const bool good = judge_gravity(joints, measured);
+  if (!measured) {
+    double fastest = 0;
+    for (std::size_t k = 0; k < checked.logs.size(); ++k)
+      fastest = std::max(fastest, fastest_step(checked.logs[k].t, checked.logs[k].tau_ext, checked.logs[k].dq));
+    if (fastest > 0)
+      std::printf("a step in tau_ext takes 1/%.0f s: the observer's bandwidth is %.0f rad/s or more; assumed: %g\n",
+                  fastest, fastest, settings.config.observer_bandwidth);
+    else
+      std::printf(
+          "no step in tau_ext while the arm rests, so nothing is known of the observer's bandwidth; assumed: %g "
+          "rad/s\n",
+          settings.config.observer_bandwidth);
+  }
+  std::vector<Visibility> seen;
+  for (const double window : kWindows)
+    seen.push_back(visibility(checked.blocks, joints, window, settings.config.rated_payload));
+  std::printf(
+      "\nwithin [s]   lightest payload that shows [kg]   mass +- [kg]  (expected)   centre of mass of 1 kg +- [mm]\n");
+  for (const Visibility& v : seen) {
+    if (v.windows == 0)
+      std::printf("%10.1f   the logs are shorter\n", v.window);
+    else
+      std::printf("%10.1f   %32.3f   %12.3f  %10.3f   %30.0f\n", v.window, v.lightest(), v.mass, v.expected_mass,
+                  1e3 * v.moment);
+  }
+  settings.config = settings_of<Dofs>(joints, settings);
+  settings.config.validate(0.001);
+  print_beliefs<Dofs>(checked, settings);
+  if (folder) write<Dofs>(*folder, checked, joints, seen, settings.config);
+  return good ? 0 : 1;
+}
+
+int run(Arguments& arguments) {
+  const ArmRequest request = parse_arm(arguments);
+  return with_joint_count(request.dofs(), [&](auto dofs) { return run<dofs()>(arguments, request); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("check_arm", std::string(kUsage) + kArmUsage + kSettingsUsage + kOwnUsage, argc, argv, run);
+}

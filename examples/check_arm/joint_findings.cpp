@@ -1,0 +1,222 @@
+#include "check_arm/joint_findings.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <rme/tracking/arm_prior.hpp>
+
+namespace rme::examples {
+
+namespace {
+
+constexpr double kLeast = 1e-6;  // [N m]: below it a quantity is rounding
+constexpr double kGravity =
+    2;  // rms of the model's gravity torque about its mean, to tell whether another follows it [N m]
+
+constexpr double kOutlier = 5;  // robust standard deviations
+
+/// Standard deviation by the median of the absolute values: what a few large ones cannot change.
+double deviation(Eigen::VectorXd values) {
+  if (values.size() == 0) return 0;
+  values = values.cwiseAbs();
+  double* const middle = values.data() + values.size() / 2;
+  std::nth_element(values.data(), middle, values.data() + values.size());
+  return *middle / 0.6745;
+}
+
+/// The residual's share that a block keeps of the one before.
+double kept(double duration, double correlation_time) {
+  return correlation_time > 0 ? std::exp(-duration / correlation_time) : 0;
+}
+
+/// Offset for each log, Coulomb and viscous friction, by least squares over the blocks in which the joint moves.
+void fit_friction(const std::vector<LogBlocks>& logs, Eigen::Index j, JointFindings& out) {
+  const auto n = static_cast<Eigen::Index>(logs.size());
+  bool with_coulomb = out.friction_known, with_viscous = out.friction_known;
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n + 2, n + 2);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(n + 2);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const LogBlocks& log = logs[static_cast<std::size_t>(k)];
+      for (Eigen::Index i = 0; i < log.blocks(); ++i) {
+        const bool moves = log.resting(i, j) == 0 && std::abs(log.direction(i, j)) == 1;
+        if (out.friction_known && !moves) continue;
+        Eigen::VectorXd row = Eigen::VectorXd::Zero(n + 2);
+        row[k] = 1;
+        if (with_coulomb) row[n] = -log.direction(i, j);
+        if (with_viscous) row[n + 1] = -log.velocity(i, j);
+        A += row * row.transpose();
+        b += row * log.tau(i, j);
+      }
+    }
+    A.diagonal().array() += 1e-9 * std::max(1.0, A.diagonal().maxCoeff());  // a log in which the joint never moves
+    const Eigen::VectorXd x = A.ldlt().solve(b);
+    out.offset.assign(x.data(), x.data() + n);
+    out.coulomb = with_coulomb ? x[n] : 0;
+    out.viscous = with_viscous ? x[n + 1] : 0;
+    // No friction pushes: without the one that would, the other takes its share.
+    if (with_viscous && out.viscous < 0) {
+      with_viscous = false;
+    } else if (with_coulomb && out.coulomb < 0) {
+      with_coulomb = false;
+    } else {
+      break;
+    }
+  }
+}
+
+double least_squares_slope(const Eigen::VectorXd& y, const Eigen::VectorXd& x, double& correlation) {
+  const Eigen::VectorXd dx = x.array() - x.mean(), dy = y.array() - y.mean();
+  const double xx = dx.squaredNorm(), yy = dy.squaredNorm(), xy = dx.dot(dy);
+  correlation = xx > 1e-9 && yy > 1e-9 ? xy / std::sqrt(xx * yy) : 0;
+  return xx > 1e-9 ? xy / xx : 0;
+}
+
+}  // namespace
+
+Eigen::MatrixXd unexplained(const LogBlocks& log, std::size_t number, const std::vector<JointFindings>& joints) {
+  Eigen::MatrixXd out = log.tau;
+  for (Eigen::Index j = 0; j < log.joints(); ++j) {
+    const JointFindings& joint = joints[static_cast<std::size_t>(j)];
+    out.col(j).array() -= joint.offset[number];
+    out.col(j) += joint.coulomb * log.direction.col(j) + joint.viscous * log.velocity.col(j);
+  }
+  return out;
+}
+
+std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
+  const Eigen::Index dofs = logs.front().joints();
+  std::vector<JointFindings> out(static_cast<std::size_t>(dofs));
+  for (Eigen::Index j = 0; j < dofs; ++j) {
+    JointFindings& joint = out[static_cast<std::size_t>(j)];
+    double forward = 0, backward = 0, rest = 0;
+    for (const LogBlocks& log : logs) {
+      for (Eigen::Index i = 0; i < log.blocks(); ++i) {
+        if (log.resting(i, j) == 1) rest += log.duration[i];
+        if (log.resting(i, j) == 0 && log.direction(i, j) == 1) forward += log.duration[i];
+        if (log.resting(i, j) == 0 && log.direction(i, j) == -1) backward += log.duration[i];
+      }
+    }
+    joint.friction_known = forward >= 1 && backward >= 1;
+    joint.rests = rest >= 1;
+    fit_friction(logs, j, joint);
+  }
+  for (Eigen::Index j = 0; j < dofs; ++j) {
+    JointFindings& joint = out[static_cast<std::size_t>(j)];
+    // Autocovariance of what is left, up to five seconds.
+    double stiction = 0, at_rest = 0, duration = 0, blocks = 0;
+    std::vector<double> bends;
+    std::vector<double> covariance(251, 0.0), count(251, 0.0);
+    for (std::size_t k = 0; k < logs.size(); ++k) {
+      const LogBlocks& log = logs[k];
+      Eigen::VectorXd e = unexplained(log, k, out).col(j);
+      const double bound = kOutlier * deviation(e);  // an emergency stop says little of an arm at work
+      e = e.cwiseMax(-bound).cwiseMin(bound);
+      for (Eigen::Index i = 0; i < log.blocks(); ++i) {
+        duration += log.duration[i];
+        ++blocks;
+        if (log.resting(i, j) == 1) {
+          stiction += e[i] * e[i];
+          ++at_rest;
+        }
+        if (i >= 2) bends.push_back(e[i] - 2 * e[i - 1] + e[i - 2]);
+        for (Eigen::Index lag = 0; lag <= std::min<Eigen::Index>(250, i); ++lag) {
+          covariance[static_cast<std::size_t>(lag)] += e[i] * e[i - lag];
+          ++count[static_cast<std::size_t>(lag)];
+        }
+      }
+    }
+    for (std::size_t lag = 0; lag < covariance.size(); ++lag)
+      if (count[lag] > 0) covariance[lag] /= count[lag];
+    const double block = blocks > 0 ? duration / blocks : 0.02;
+    joint.stiction = at_rest > 0 ? std::sqrt(stiction / at_rest) : 0;
+    // Second differences leave little of what lasts: noise is at most what they show.
+    const double bend =
+        deviation(Eigen::Map<const Eigen::VectorXd>(bends.data(), static_cast<Eigen::Index>(bends.size())));
+    const double noise = std::min(covariance[0], bend * bend / 6), shared = covariance[0] - noise;
+    joint.noise = std::sqrt(std::max(kLeast * kLeast, noise));
+    joint.residual = std::sqrt(std::max(0.0, shared));
+    std::size_t lag = 1;
+    while (lag + 1 < covariance.size() && covariance[lag] > shared * std::exp(-1.0)) ++lag;
+    joint.correlation_time = block * static_cast<double>(lag);
+    // Does the torque follow gravity?
+    Eigen::VectorXd tau(0), gravity(0);
+    for (const LogBlocks& log : logs) {
+      const Eigen::Index n = tau.size();
+      tau.conservativeResize(n + log.blocks());
+      gravity.conservativeResize(n + log.blocks());
+      tau.tail(log.blocks()) = log.tau.col(j);
+      gravity.tail(log.blocks()) = log.gravity.col(j);
+    }
+    joint.gravity_seen = std::sqrt((gravity.array() - gravity.mean()).square().mean()) > kGravity;
+    joint.gravity_slope = least_squares_slope(tau, gravity, joint.gravity_correlation);
+  }
+  return out;
+}
+
+Visibility visibility(const std::vector<LogBlocks>& logs, const std::vector<JointFindings>& joints, double window,
+                      double rated) {
+  constexpr Eigen::Index kBefore = 5;  // blocks just before, of which the mean is known
+  Visibility out;
+  out.window = window;
+  const auto prior = PayloadPrior<double>::of(rated);
+  // Of an object of a tenth of the rated load: what it says of the centre of mass is all that one pose does not show.
+  const double scale = 0.1 * rated;
+  Eigen::Matrix4d P = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d lever;
+  lever << 1, prior.com_mean;
+  P = lever * lever.transpose() * prior.mass_std * prior.mass_std;
+  P.bottomRightCorner<3, 3>().diagonal() += scale * scale * prior.com_std.cwiseAbs2();
+  const Eigen::Matrix4d information = P.inverse();
+  double squares = 0, expected = 0, moments = 0;
+  for (std::size_t k = 0; k < logs.size(); ++k) {
+    const LogBlocks& log = logs[k];
+    if (log.blocks() == 0) continue;
+    const double block = log.duration.mean();
+    const auto n = std::max<Eigen::Index>(1, std::lround(window / block));
+    if (log.blocks() < n + kBefore) continue;
+    const Eigen::MatrixXd e = unexplained(log, k, joints);
+    std::vector<Eigen::LLT<Eigen::MatrixXd>> factors;
+    std::vector<Eigen::VectorXd> keep;  // of the mean just before
+    for (const JointFindings& joint : joints) {
+      const double rho = kept(block, joint.correlation_time), r = joint.residual * joint.residual,
+                   s = joint.noise * joint.noise;
+      const double gain = r > 0 ? r / (r + s / kBefore) : 0;
+      Eigen::VectorXd decay(n);
+      for (Eigen::Index i = 0; i < n; ++i) decay[i] = std::pow(rho, static_cast<double>(i) + 0.5 * (kBefore + 1));
+      Eigen::MatrixXd C(n, n);
+      for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index l = 0; l < n; ++l)
+          C(i, l) = r * (std::pow(rho, static_cast<double>(std::abs(i - l))) - gain * decay[i] * decay[l]);
+      C.diagonal().array() += s;
+      factors.emplace_back(C);
+      keep.push_back(gain * decay);
+    }
+    for (Eigen::Index begin = kBefore; begin + n <= log.blocks(); begin += std::max<Eigen::Index>(1, n / 2)) {
+      Eigen::Matrix4d A = information;
+      Eigen::Vector4d b = Eigen::Vector4d::Zero();
+      for (std::size_t j = 0; j < joints.size(); ++j) {
+        const auto column = static_cast<Eigen::Index>(j);
+        const Eigen::MatrixXd H = log.payload[j].middleRows(begin, n);
+        const double before = e.col(column).segment(begin - kBefore, kBefore).mean();
+        const Eigen::VectorXd y = e.col(column).segment(begin, n) - before * keep[j];
+        const Eigen::MatrixXd whitened = factors[j].solve(H);
+        A += H.transpose() * whitened;
+        b += whitened.transpose() * y;
+      }
+      const Eigen::Vector4d found = A.ldlt().solve(b);
+      squares += found[0] * found[0];
+      moments += found.tail<3>().squaredNorm() / 3;
+      expected += A.inverse()(0, 0);
+      ++out.windows;
+    }
+  }
+  if (out.windows > 0) {
+    out.mass = std::sqrt(squares / out.windows);
+    out.expected_mass = std::sqrt(expected / out.windows);
+    out.moment = std::sqrt(moments / out.windows);
+  }
+  return out;
+}
+
+}  // namespace rme::examples

@@ -1,0 +1,30 @@
+#include "urdf_arm/recorded_arm.hpp"
+
+namespace rme::examples {
+
+ArmRequest parse_arm(Arguments& arguments) {
+  ArmRequest request;
+  const auto urdf = arguments.text("--urdf"), base = arguments.text("--base"), tip = arguments.text("--tip");
+  if (urdf) {
+    if (!base) throw ArgumentError("--base: missing; --urdf needs to know the link that the arm stands on");
+    if (!tip) throw ArgumentError("--tip: missing; --urdf needs to know the link that is the end effector");
+    request.chain = read_urdf(*urdf, *base, *tip);
+  } else if (base || tip) {
+    throw ArgumentError(std::string(base ? "--base" : "--tip") + ": means nothing without --urdf");
+  }
+  request.rated_payload = arguments.number("--rated-payload");
+  request.torque_sign = arguments.choice<TorqueSign>(
+      "--torque-sign", {{"external", TorqueSign::External}, {"reaction", TorqueSign::Reaction}});
+  if (const auto gains = arguments.numbers("--gains", static_cast<std::size_t>(request.dofs()))) {
+    for (const double gain : *gains)
+      if (gain == 0) throw ArgumentError("--gains: must not be zero");
+    request.gains = *gains;
+  }
+  if (const auto g = arguments.numbers("--gravity", 3)) {
+    request.gravity = Eigen::Vector3d((*g)[0], (*g)[1], (*g)[2]);
+    if (!(request.gravity->norm() > 0)) throw ArgumentError("--gravity: must not be zero");
+  }
+  return request;
+}
+
+}  // namespace rme::examples

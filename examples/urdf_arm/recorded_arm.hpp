@@ -1,0 +1,113 @@
+#pragma once
+/// The arm that a recording is of: the built-in Panda, or what --urdf says, and what its recordings mean.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <rme/estimator_config.hpp>
+#include <rme/sensing/torque_sign.hpp>
+#include <string>
+#include <synthetic_arm/panda.hpp>
+#include <vector>
+
+#include "io/arguments.hpp"
+#include "urdf_arm/urdf_chain.hpp"
+
+namespace rme::examples {
+
+constexpr const char* kArmUsage =
+    "  --urdf FILE         the arm (the built-in Panda, link 8); with\n"
+    "  --base LINK         where it stands: world axes are this link's, and\n"
+    "  --tip LINK          its end effector\n"
+    "  --rated-payload M   heaviest payload of the arm [kg] (3; for --urdf from its effort limits)\n"
+    "  --torque-sign S     of the log's torque: external (default) or reaction\n"
+    "  --gains K1,K2,...   tau1.. are motor currents [A]; of each joint, its torque for one [N m/A]\n"
+    "  --gravity X,Y,Z     world axes [m/s^2] (0,0,-9.81)\n";
+
+/// What the options above say.
+struct ArmRequest {
+  std::optional<UrdfChain> chain;  ///< nothing: the Panda
+  std::optional<double> rated_payload;
+  std::optional<TorqueSign> torque_sign;
+  std::vector<double> gains;  ///< none, or one for each joint [N m/A]
+  std::optional<Eigen::Vector3d> gravity;
+
+  int dofs() const noexcept { return chain ? chain->dofs() : 7; }
+};
+
+/// Takes the options above out of `arguments`.
+/// @throws ArgumentError naming what is wrong; UrdfError
+ArmRequest parse_arm(Arguments& arguments);
+
+/// What the log tools know of an arm.
+template <int Dofs>
+struct RecordedArm {
+  ArmModel<Dofs> model;
+  JointVector<double, Dofs> gains = JointVector<double, Dofs>::Ones();  ///< [N m] for what `tau` is in; or 1
+  bool is_panda = false;  ///< the built-in one, whose friction is known: it is taken out of measured torque
+};
+
+/// The heaviest payload that an arm is likely to be made for [kg]: 0.4 of what its effort limits can hold in half of
+/// all poses, 10 cm ahead of its tip. 2.9 for a Panda (3), 10.6 for a UR10e (12.5), 5.3 for an arm of the size of a UR5
+/// (5).
+/// @throws UrdfError if the URDF does not bound the torques
+template <int Dofs>
+double likely_rated_payload(const ArmModel<Dofs>& model) {
+  if (!model.tau_max.allFinite())
+    throw UrdfError(model.name +
+                    ": not every joint has an effort limit, so that --rated-payload has to say what the "
+                    "arm is made for");
+  constexpr int kPoses = 1000;
+  constexpr double kPi = 3.141592653589793;
+  const std::array<double, 8> irrational = {std::sqrt(2.),  std::sqrt(3.),  std::sqrt(5.),  std::sqrt(7.),
+                                            std::sqrt(11.), std::sqrt(13.), std::sqrt(17.), std::sqrt(19.)};
+  std::vector<double> heaviest;
+  for (int k = 1; k <= kPoses; ++k) {
+    JointVector<double, Dofs> q;
+    for (int j = 0; j < Dofs; ++j) {
+      const double low = std::max(model.q_min[j], -kPi), high = std::min(model.q_max[j], kPi);
+      q[j] = low + std::fmod(k * irrational[static_cast<std::size_t>(j)], 1.0) * (high - low);
+    }
+    const JointVector<double, Dofs> rest = JointVector<double, Dofs>::Zero();
+    const JointVector<double, Dofs> own = model.dynamics(q, rest).gravity;
+    const JointVector<double, Dofs> each =
+        model.dynamics(q, rest, {1, Eigen::Vector3d(0, 0, 0.1), Eigen::Matrix3d::Zero()}).gravity - own;
+    double mass = 1e4;
+    for (int j = 0; j < Dofs; ++j)
+      if (std::abs(each[j]) > 1e-6)
+        mass = std::min(mass, (model.tau_max[j] - std::copysign(1.0, each[j]) * own[j]) / std::abs(each[j]));
+    heaviest.push_back(mass);
+  }
+  std::nth_element(heaviest.begin(), heaviest.begin() + kPoses / 2, heaviest.end());
+  const double rated = 0.4 * heaviest[kPoses / 2];
+  if (!(rated > 0))
+    throw UrdfError(model.name +
+                    ": the effort limits cannot hold the arm itself; --rated-payload has to say what it "
+                    "is made for");
+  return rated;
+}
+
+/// The arm of the request, and what its options change in `config`.
+/// @param rated  whether `config` says what the arm is rated for
+template <int Dofs>
+RecordedArm<Dofs> recorded_arm(const ArmRequest& request, bool rated, EstimatorConfig<double, Dofs>& config) {
+  RecordedArm<Dofs> arm;
+  if (request.chain) {
+    arm.model = arm_model<Dofs>(*request.chain);
+  } else if constexpr (Dofs == 7) {
+    arm.model = panda();
+    arm.is_panda = true;
+  }
+  if (!request.gains.empty()) arm.gains = Eigen::Map<const JointVector<double, Dofs>>(request.gains.data());
+  if (request.gravity) config.gravity = *request.gravity;
+  if (request.torque_sign) config.torque_sign = *request.torque_sign;
+  if (request.rated_payload)
+    config.rated_payload = *request.rated_payload;
+  else if (request.chain && !rated)
+    config.rated_payload = likely_rated_payload(arm.model);
+  arm.model.gravity_vector = config.gravity;
+  return arm;
+}
+
+}  // namespace rme::examples

@@ -1,0 +1,96 @@
+#pragma once
+/// An arm's table of numbers from its URDF, and how its number of joints, known when the program runs, finds the
+/// templates that were compiled for it.
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <synthetic_arm/arm_model.hpp>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace rme::examples {
+
+/// Says what is wrong with a URDF, or with what is asked of it: "FILE: ...".
+class UrdfError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+inline constexpr int kFewestJoints = 4, kMostJoints = 8;  ///< for which the programs are compiled
+
+/// A joint of the chain, with what it may do.
+struct ChainJoint {
+  std::string name;
+  double q_min, q_max;  ///< [rad]; infinite if it is continuous
+  double dq_max;        ///< [rad/s]; infinite if the URDF gives none
+  double tau_max;       ///< [N m]; infinite if the URDF gives none
+};
+
+/// What moves between two links of a URDF, from the base. Its world axes are the base link's.
+struct UrdfChain {
+  std::string name;  ///< of the robot
+  std::vector<Link> links;
+  std::vector<ChainJoint> joints;
+  Eigen::Vector3d tip;           ///< tip link's origin in the last moving link's axes [m]
+  Eigen::Matrix3d tip_rotation;  ///< tip link's axes to the last moving link's axes
+
+  int dofs() const noexcept { return static_cast<int>(links.size()); }
+};
+
+/// Reads the chain from link `base` to link `tip`. What is welded to a link of the chain belongs to it: links behind
+/// fixed joints, and side branches, be it a hand whose fingers can move, in the position that they have at zero.
+/// @throws UrdfError naming what is wrong: no such link, and which there are; a joint in the chain that is neither
+///         revolute nor continuous; a moving link without inertia; a loop; fewer than kFewestJoints joints or more
+///         than kMostJoints; or that the programs were built without urdfdom
+UrdfChain read_urdf(const std::string& file, const std::string& base, const std::string& tip);
+/// The same from the text of a URDF.
+/// @param file  what to call it in messages
+UrdfChain parse_urdf(const std::string& text, const std::string& file, const std::string& base, const std::string& tip);
+
+/// The chain as an arm. Requires chain.dofs() == Dofs. Speeds and torques that the URDF does not bound are infinite, a
+/// pose half way between the limits stands for the ready one.
+template <int Dofs>
+ArmModel<Dofs> arm_model(const UrdfChain& chain) {
+  ArmModel<Dofs> m{};
+  m.name = chain.name;
+  std::copy(chain.links.begin(), chain.links.end(), m.links.begin());
+  m.flange = chain.tip;
+  m.flange_rotation = chain.tip_rotation;
+  for (int j = 0; j < Dofs; ++j) {
+    const ChainJoint& joint = chain.joints[static_cast<std::size_t>(j)];
+    m.q_min[j] = joint.q_min;
+    m.q_max[j] = joint.q_max;
+    m.dq_max[j] = joint.dq_max;
+    m.tau_max[j] = joint.tau_max;
+    m.ready[j] = std::isfinite(joint.q_min + joint.q_max) ? 0.5 * (joint.q_min + joint.q_max) : 0;
+  }
+  return m;
+}
+
+/// Calls `function(std::integral_constant<int, Dofs>)` for the Dofs that is `dofs`, and returns what it returns:
+///
+///     with_joint_count(chain.dofs(), [&](auto n) { return replay<n()>(arm_model<n()>(chain)); });
+///
+/// @throws std::invalid_argument if the programs are not compiled for that many joints
+template <typename Function>
+auto with_joint_count(int dofs, Function&& function) {
+  switch (dofs) {
+    case 4:
+      return function(std::integral_constant<int, 4>());
+    case 5:
+      return function(std::integral_constant<int, 5>());
+    case 6:
+      return function(std::integral_constant<int, 6>());
+    case 7:
+      return function(std::integral_constant<int, 7>());
+    case 8:
+      return function(std::integral_constant<int, 8>());
+    default:
+      throw std::invalid_argument("an arm of " + std::to_string(dofs) + " joints; the programs are compiled for " +
+                                  std::to_string(kFewestJoints) + " to " + std::to_string(kMostJoints));
+  }
+}
+
+}  // namespace rme::examples

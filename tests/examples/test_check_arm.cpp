@@ -1,0 +1,182 @@
+#include <check_arm/observer_step.hpp>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+#include <string>
+#include <synthetic_arm/panda.hpp>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/program.hpp"
+
+// The program itself, as its users run it.
+
+namespace {
+
+using nlohmann::json;
+using rme::testing::Result;
+using rme::testing::run;
+using rme::testing::Stream;
+using rme::testing::TemporaryFile;
+using Vector = rme::JointVector<double, 7>;
+
+/// How an arm with an empty hand shows itself.
+struct Shown {
+  double coulomb = 0.4, viscous = 0.2, offset = 0.1, noise = 0.02;  // [N m], [N m s/rad]
+  double factor = 1;                                                // of the torque that is written
+  double seconds = 12;
+  std::string columns = "tau_ext";  // or tau
+};
+
+/// A Panda that moves all joints to and fro at 250 Hz.
+std::string recording(const Shown& shown) {
+  const unsigned seed = 7;
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal(0, shown.noise);
+  const auto& arm = rme::examples::panda();
+  std::ostringstream text;
+  text.precision(10);
+  text << "t";
+  for (const std::string& name : {std::string("q"), std::string("dq"), shown.columns})
+    for (int j = 1; j <= 7; ++j) text << ',' << name << j;
+  for (double t = 0; t < shown.seconds; t += 0.004) {
+    Vector q = arm.ready, dq, ddq, tau;
+    for (int j = 0; j < 7; ++j) {
+      const double w = 1.1 + 0.23 * j;
+      q[j] += 0.4 * std::sin(w * t);
+      dq[j] = 0.4 * w * std::cos(w * t);
+      ddq[j] = -0.4 * w * w * std::sin(w * t);
+      tau[j] = -(shown.coulomb * (dq[j] > 0 ? 1 : -1) + shown.viscous * dq[j]) + shown.offset + normal(random);
+    }
+    if (shown.columns == "tau") {  // what is measured: all that moves the arm, less what comes from outside
+      const auto terms = arm.dynamics(q, dq);
+      tau = terms.mass_matrix * ddq + terms.coriolis + terms.gravity - tau + rme::examples::panda_friction(dq);
+    }
+    text << '\n' << t;
+    for (const Vector& v : {q, dq, Vector(shown.factor * tau)})
+      for (int j = 0; j < 7; ++j) text << ',' << v[j];
+  }
+  return text.str() + '\n';
+}
+
+Result check(const std::string& arguments, Stream kept = Stream::Output) {
+  return run(RME_CHECK_ARM, arguments, kept);
+}
+
+/// The settings that are written.
+json settings_of(const std::string& arguments) {
+  const TemporaryFile folder("checked", "");
+  std::filesystem::remove(folder.name);
+  REQUIRE(check(arguments + " --output " + folder.name).exit_code == 0);
+  json settings;
+  std::ifstream(folder.name + "/settings.json") >> settings;
+  CHECK(std::filesystem::file_size(folder.name + "/blocks.csv") > 10000);
+  CHECK(std::filesystem::file_size(folder.name + "/windows.csv") > 50);
+  std::filesystem::remove_all(folder.name);
+  return settings;
+}
+
+TEST_CASE("check_arm: noise, offset and friction of a moving arm are found and written as settings", "[check_arm]") {
+  for (const char* columns : {"tau_ext", "tau"}) {
+    CAPTURE(columns);
+    Shown shown;
+    shown.columns = columns;
+    const TemporaryFile log("shown.csv", recording(shown));
+    const json settings = settings_of("--bandwidth 0 " + log.name);
+    CHECK(settings["sensing"] == "joint_friction");
+    CHECK(settings["rated_payload"] == 3);
+    for (std::size_t j = 0; j < 7; ++j) {
+      CAPTURE(j);
+      const json& arm = settings["arm"];
+      CHECK(arm["coulomb"][j].get<double>() == Approx(0.4).epsilon(0.1));
+      CHECK(arm["viscous"][j].get<double>() == Approx(0.2).epsilon(0.2));
+      // With one log, half of the variance is the usual arm's, 0.15 or 0.06 N m.
+      const double usual = j < 4 ? 0.15 : 0.06;
+      CHECK(arm["offset"][j].get<double>() == Approx(std::sqrt((0.01 + usual * usual) / 2)).epsilon(0.1));
+      // Five samples of 0.02 N m in a block; differences of a block with others leave room for its turns.
+      CHECK(arm["noise"][j].get<double>() > 0.02 / std::sqrt(5) * 0.8);
+      CHECK(arm["noise"][j].get<double>() < 0.06);
+    }
+  }
+}
+
+TEST_CASE("check_arm: what an estimator can see through more noise is heavier", "[check_arm]") {
+  const auto lightest = [](double noise) {
+    Shown shown;
+    shown.noise = noise;
+    const TemporaryFile log("noise.csv", recording(shown));
+    std::istringstream text(check("--bandwidth 0 " + log.name).text);
+    std::vector<double> masses;
+    for (std::string line; std::getline(text, line);) {
+      std::istringstream words(line);
+      double window = 0, mass = 0;
+      if (words >> window >> mass && (window == 0.2 || window == 1 || window == 5)) masses.push_back(mass);
+    }
+    REQUIRE(masses.size() == 3);
+    return masses;
+  };
+  const auto quiet = lightest(0.02), noisy = lightest(0.5);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(noisy[i] > 3 * quiet[i]);
+  // A block of 0.5 / sqrt(5) N m, ten of them, a lever of half a metre, and four deviations: 0.06 kg; the other joints
+  // make it better, and what is not known of the centre of mass worse.
+  CHECK(noisy[0] > 0.01);
+  CHECK(noisy[0] < 0.2);
+}
+
+TEST_CASE("check_arm: a torque that cannot be right is told by its gravity", "[check_arm]") {
+  Shown shown;
+  shown.columns = "tau";
+  shown.factor = -1;
+  const TemporaryFile opposite("opposite.csv", recording(shown));
+  const Result sign = check(opposite.name);
+  CHECK(sign.exit_code == 1);
+  CHECK_THAT(sign.text, contains("tau seems to have the opposite sign: --torque-sign reaction"));
+  CHECK(check("--torque-sign reaction " + opposite.name).exit_code == 0);
+  shown.factor = 0.1;
+  const TemporaryFile currents("currents.csv", recording(shown));
+  const Result unit = check(currents.name);
+  CHECK(unit.exit_code == 1);
+  CHECK_THAT(unit.text, contains("in amperes (--gains)"));
+  CHECK(check("--gains 10,10,10,10,10,10,10 " + currents.name).exit_code == 0);
+}
+
+TEST_CASE("check_arm: a log that says nothing of an empty hand is refused", "[check_arm]") {
+  Shown brief;
+  brief.seconds = 3;
+  const TemporaryFile log("brief.csv", recording(brief));
+  const Result refused = check(log.name, Stream::Errors);
+  CHECK(refused.exit_code == 3);
+  CHECK_THAT(refused.text, contains("5 s of an empty hand are needed"));
+  const Result held = check("\"" RME_TEST_DATA "/mujoco/link_side.csv.gz\"", Stream::Errors);
+  CHECK(held.exit_code == 3);
+  CHECK_THAT(held.text, contains("column m: the hand holds something"));
+  for (const char* bad : {"", "--span 2:1 log.csv", "--span 1 log.csv", "--windows 3 log.csv"}) {
+    CAPTURE(bad);
+    const Result usage = check(bad, Stream::Errors);
+    CHECK(usage.exit_code == 2);
+    CHECK_THAT(usage.text, contains("usage: check_arm"));
+  }
+}
+
+TEST_CASE("fastest_step: the bandwidth of a filter is read off a step that went through it", "[check_arm]") {
+  for (const double bandwidth : {25.0, 50.0, 200.0}) {
+    CAPTURE(bandwidth);
+    std::vector<double> t;
+    std::vector<Eigen::Vector2d> tau, dq;
+    std::mt19937 random(2);
+    std::normal_distribution<double> noise(0, 0.01);
+    for (int k = 0; k < 2000; ++k) {
+      t.push_back(1e-3 * k);
+      const double since = t.back() - 1;
+      tau.emplace_back(noise(random), (since > 0 ? 4 * (1 - std::exp(-bandwidth * since)) : 0) + noise(random));
+      dq.emplace_back(0, 0);
+    }
+    CHECK(rme::examples::fastest_step(t, tau, dq) == Approx(bandwidth).epsilon(0.15));
+    for (auto& v : dq) v[0] = 0.5;  // it moves
+    CHECK(rme::examples::fastest_step(t, tau, dq) == 0);
+  }
+}
+
+}  // namespace

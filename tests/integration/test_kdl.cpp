@@ -1,0 +1,220 @@
+// Models and physics that others wrote: Orocos KDL reads the same URDF files, and moves the arm that the estimator
+// holds.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <replay_log/estimators.hpp>
+#include <rme/sensing/momentum_observer.hpp>
+#include <string>
+#include <urdf_arm/urdf_chain.hpp>
+
+#include "integration/kdl_arm.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using rme::examples::ArmModel;
+using rme::examples::RigidBody;
+using rme::testing::KdlArm;
+
+struct Arm {
+  const char *file, *base, *tip;
+  int dofs;
+};
+constexpr Arm kSmall = {RME_TEST_DATA "/urdf/six_joints_5kg.urdf", "world", "tool0", 6};
+constexpr Arm kLarge = {RME_TEST_DATA "/urdf/six_joints_10kg.urdf", "world", "tool0", 6};
+constexpr Arm kHand = {RME_TEST_DATA "/urdf/seven_joints_hand.urdf", "mount", "tool", 7};
+
+template <int Dofs>
+ArmModel<Dofs> model_of(const Arm& arm) {
+  return rme::examples::arm_model<Dofs>(rme::examples::read_urdf(arm.file, arm.base, arm.tip));
+}
+
+template <int Dofs>
+void compare(const Arm& arm) {
+  CAPTURE(arm.file);
+  using Vector = rme::JointVector<double, Dofs>;
+  const ArmModel<Dofs> ours = model_of<Dofs>(arm);
+  const KdlArm theirs(arm.file, arm.tip);
+  REQUIRE(theirs.dofs() == Dofs);
+  const unsigned seed = 5;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-2, 2);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(Dofs);
+  const auto difference = [](const auto& a, const auto& b) { return (a - b).cwiseAbs().maxCoeff(); };
+  for (int k = 0; k < 20; ++k) {
+    const auto draw = [&] { return uniform(random); };
+    const Vector q = Vector::NullaryExpr(draw), dq = Vector::NullaryExpr(draw);
+    const auto at = ours.kinematics(q);
+    CHECK(difference(at.position, theirs.position(q)) <= 1e-12);
+    CHECK(difference(at.rotation, theirs.rotation(q)) <= 1e-12);
+    CHECK(difference(at.jacobian, theirs.jacobian(q)) <= 1e-12);
+    // Torques reach 200 N m, and the wrist's inertia 0.01 kg m^2: relative to the largest.
+    const auto terms = ours.dynamics(q, dq);
+    const Eigen::MatrixXd M = theirs.mass_matrix(q);
+    const Eigen::VectorXd g = theirs.inverse_dynamics(q, rest, rest);
+    const Eigen::VectorXd c = theirs.inverse_dynamics(q, dq, rest, false);
+    CHECK(difference(terms.mass_matrix, M) <= 1e-12 * std::max(1.0, M.cwiseAbs().maxCoeff()));
+    CHECK(difference(terms.gravity, g) <= 1e-12 * std::max(1.0, g.cwiseAbs().maxCoeff()));
+    CHECK(difference(terms.coriolis, c) <= 1e-12 * std::max(1.0, c.cwiseAbs().maxCoeff()));
+    // dM/dt = C + C^T, with dM/dt of KDL's M by five-point differences.
+    const double h = 1e-3;
+    const auto along = [&](double s) { return theirs.mass_matrix(q + s * h * dq); };
+    const Eigen::MatrixXd rate = (8 * (along(1) - along(-1)) - (along(2) - along(-2))) / (12 * h);
+    CHECK(difference(terms.coriolis_transpose, rate * dq - c) <= 1e-8);
+  }
+}
+
+TEST_CASE("KDL: M, g, C dq, C^T dq, p, R and J of arms from their URDF are those that KDL computes", "[kdl]") {
+  compare<6>(kSmall);
+  compare<6>(kLarge);
+  compare<7>(kHand);
+}
+
+/// What is wrong with the arm, and what is not known of it.
+struct Faults {
+  double torque_noise = 0, velocity_noise = 0;  // [N m], [rad/s], standard deviations
+  double coulomb = 0, wrist_coulomb = 0;        // [N m]; the last three joints'
+};
+
+struct Found {
+  double mass_error = 0;     // at the end of the hold [kg]
+  double com_error = 0;      // across gravity [m]
+  double empty_after = 1e9;  // the detach [s]
+  bool attached = false;     // as an event
+  int pushes = 0;
+};
+
+/// Computed torque along a path that the arm follows for ever, or at rest; the payload is there from 1 s to 6 s.
+template <int Dofs>
+Found live(const Arm& arm, double rated, double mass, bool moving, const Faults& faults, unsigned seed) {
+  using Vector = rme::JointVector<double, Dofs>;
+  constexpr double dt = 1e-3, attach = 1, detach = 6, end = 7.5;
+  const ArmModel<Dofs> model = model_of<Dofs>(arm);
+  KdlArm plant(arm.file, arm.tip);
+  rme::EstimatorConfig<double, Dofs> config;
+  config.rated_payload = rated;
+  rme::Estimator<double, Dofs> estimator(dt, config);
+  rme::MomentumObserver<double, Dofs> observer(dt);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const auto noise = [&](double sigma) -> Vector {
+    return sigma > 0 ? Vector(sigma * Vector::NullaryExpr([&] { return normal(random); })) : Vector(Vector::Zero());
+  };
+
+  const Eigen::Vector3d com(0.04, -0.03, 0.09);
+  const RigidBody payload = rme::examples::box(mass, com, {0.1, 0.08, 0.12});
+  Vector home = Vector::Constant(0.6);
+  home[1] = -1.1;
+  home[2] = 1.3;
+  Vector coulomb = Vector::Constant(faults.coulomb);
+  coulomb.template tail<3>().setConstant(faults.wrist_coulomb);
+  Vector q = home, dq = Vector::Zero(), tau = model.dynamics(q, dq).gravity;
+  Found found;
+  int events = 0;
+  for (int k = 0; k * dt < end; ++k) {
+    const double t = k * dt;
+    if (k == static_cast<int>(attach / dt)) plant.attach(payload);
+    if (k == static_cast<int>(detach / dt)) plant.detach();
+    // The arm's physics over a period under a constant torque.
+    const Vector before = dq;
+    if (faults.coulomb == 0) {  // Runge-Kutta
+      const auto f = [&](const Vector& x, const Vector& v) -> Vector { return plant.forward_dynamics(x, v, tau); };
+      const Vector a1 = f(q, dq), v2 = dq + 0.5 * dt * a1, a2 = f(q + 0.5 * dt * dq, v2);
+      const Vector v3 = dq + 0.5 * dt * a2, a3 = f(q + 0.5 * dt * v2, v3), v4 = dq + dt * a3, a4 = f(q + dt * v3, v4);
+      q += dt / 6 * (dq + 2 * v2 + 2 * v3 + v4);
+      dq += dt / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    } else {  // what friction can stop within the period, it stops
+      const Eigen::MatrixXd inverse = plant.mass_matrix(q).inverse();
+      dq += dt * plant.forward_dynamics(q, dq, tau);
+      Vector impulse = Vector::Zero();
+      for (int i = 0; i < 30; ++i) {
+        for (int j = 0; j < Dofs; ++j) {
+          const double wanted = impulse[j] - dq[j] / inverse(j, j), most = coulomb[j] * dt;
+          const double change = std::min(most, std::max(-most, wanted)) - impulse[j];
+          impulse[j] += change;
+          dq += inverse.col(j) * change;
+        }
+      }
+      q += 0.5 * dt * (before + dq);
+    }
+    // What the host sees, and does.
+    const Vector measured_dq = dq + noise(faults.velocity_noise);
+    const auto terms = model.dynamics(q, measured_dq);
+    REQUIRE(observer.update(tau + noise(faults.torque_noise), measured_dq, terms.mass_matrix, terms.coriolis_transpose,
+                            terms.gravity) == rme::Status::Ok);
+    const auto at = model.kinematics(q);
+    REQUIRE(estimator.update({observer.tau_ext(), at.jacobian, at.rotation, measured_dq}) == rme::Status::Ok);
+    Vector goal = home, speed = Vector::Zero(), acceleration = Vector::Zero();
+    if (moving) {
+      for (int j = 0; j < Dofs; ++j) {
+        const double w = 1.2 + 0.17 * j, a = 0.35;
+        goal[j] += a * (1 - std::cos(w * t));
+        speed[j] = a * w * std::sin(w * t);
+        acceleration[j] = a * w * w * std::cos(w * t);
+      }
+    }
+    tau = terms.mass_matrix * (acceleration + 400 * (goal - q) + 40 * (speed - measured_dq)) + terms.coriolis +
+          terms.gravity + estimator.compensation(at.jacobian, at.rotation);
+
+    const auto& state = estimator.state();
+    if (k == static_cast<int>(detach / dt) - 1) {
+      found.mass_error = std::abs(state.payload.mean[0] - mass);
+      const Eigen::Vector3d down = at.rotation.transpose() * Eigen::Vector3d::UnitZ();
+      const Eigen::Vector3d error = state.payload.mean.template tail<3>() - com;
+      found.com_error = (error - down.dot(error) * down).norm();
+    }
+    if (t > detach && !state.empty()) found.empty_after = 1e9;
+    if (t > detach && state.empty() && found.empty_after > 1e8) found.empty_after = t - detach;
+    if (state.event.number == events) continue;
+    events = state.event.number;
+    found.attached = found.attached || state.event.kind == rme::EventKind::Attached;
+    found.pushes += state.event.kind == rme::EventKind::Pushed ? 1 : 0;
+  }
+  return found;
+}
+
+/// Prints a line for each life if RME_PRINT is set.
+template <int Dofs>
+void judge(const Arm& arm, double rated, const Faults& faults, double share, double least, bool across) {
+  for (const double mass : {0.3, 1.0, 0.5 * rated, rated}) {
+    for (const bool moving : {false, true}) {
+      const unsigned seed = 17;
+      CAPTURE(arm.file, mass, moving, seed);
+      const Found found = live<Dofs>(arm, rated, mass, moving, faults, seed);
+      if (std::getenv("RME_PRINT") != nullptr)
+        std::printf("%s %4.1f kg %s: mass %6.1f g, com %5.2f mm, empty after %.2f s, %s, %d pushes\n",
+                    std::string(arm.file).substr(std::string(arm.file).rfind('/') + 1).c_str(), mass,
+                    moving ? "moving " : "at rest", 1e3 * found.mass_error, 1e3 * found.com_error, found.empty_after,
+                    found.attached ? "attached" : "not attached", found.pushes);
+      CHECK(found.attached);
+      CHECK(found.pushes == 0);
+      CHECK(found.mass_error <= std::max(share * mass, least));
+      if (across) CHECK(found.com_error <= 0.002);
+      CHECK(found.empty_after <= 1);
+    }
+  }
+}
+
+TEST_CASE("KDL: payloads from 0.3 kg to the rated load are found in KDL's forward dynamics, and none rejected",
+          "[kdl]") {
+  judge<6>(kSmall, 5, {}, 0.005, 0.005, true);
+  judge<6>(kLarge, 10, {}, 0.005, 0.005, true);
+  judge<7>(kHand, 3, {}, 0.005, 0.005, true);
+}
+
+// Hidden: a target that is not reached yet. RME_PRINT=1 integration_test_kdl "[friction]" says how far it is.
+TEST_CASE("KDL: under noise and friction that nobody told they are found within 2 % or 30 g", "[.][friction]") {
+  for (const Faults& faults : {Faults{0.08, 0.002, 0, 0}, Faults{0, 0, 0.5, 0.2}, Faults{0.08, 0.002, 0.5, 0.2}}) {
+    if (std::getenv("RME_PRINT") != nullptr)
+      std::printf("noise %.2f N m, %.0f mrad/s, friction %.1f/%.1f N m\n", faults.torque_noise,
+                  1e3 * faults.velocity_noise, faults.coulomb, faults.wrist_coulomb);
+    judge<6>(kSmall, 5, faults, 0.02, 0.03, false);
+    judge<6>(kLarge, 10, faults, 0.02, 0.03, false);
+    judge<7>(kHand, 3, faults, 0.02, 0.03, false);
+  }
+}
+
+}  // namespace
