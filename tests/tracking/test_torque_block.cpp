@@ -251,6 +251,53 @@ TEST_CASE("BlockAverager: the torque's resolution and the noise of dq are measur
   CHECK(mean[2] < 1e-20);
 }
 
+/// Blocks of an arm that moves evenly, its dq under white noise, of one joint that lifts the flange by 0.5 m/rad.
+std::vector<Block> noisy_blocks(double noise, unsigned seed, double acceleration, int milliseconds) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> n;
+  Averager averager(0, kGravity);
+  Sample s;
+  s.jacobian(2, 0) = 0.5;
+  std::vector<Block> blocks;
+  for (int k = 0; k <= milliseconds; ++k) {
+    s.dq[0] = acceleration * 1e-3 * k + noise * n(random);
+    if (averager.add(s, 1e-3, 1e-3 * k)) blocks.push_back(averager.block());
+  }
+  return blocks;
+}
+
+TEST_CASE("BlockAverager: the noisier dq is, the longer is a block, to three times what it is otherwise", "[block]") {
+  const auto length = [](double noise) { return noisy_blocks(noise, 526, 0, 8000).back().duration; };
+  CHECK(length(0) == Approx(0.02).epsilon(1e-6));
+  CHECK(length(1e-4) == Approx(0.02).epsilon(1e-6));
+  // 12 sigma^2 dt / T^3 = 0.02^2 for sigma = 0.5 m * 2 mrad/s: 31 ms.
+  CHECK(length(2e-3) == Approx(0.031).margin(0.004));
+  CHECK(length(2e-2) == Approx(0.06).epsilon(1e-6));
+}
+
+TEST_CASE("BlockAverager: acceleration is the least-squares slope of J dq, with no more noise than that lets through",
+          "[block]") {
+  const double noise = 2e-2, acceleration = 1.2;
+  const unsigned seed = 527;
+  CAPTURE(seed);
+  const auto blocks = noisy_blocks(noise, seed, acceleration, 60'000);
+  double sum = 0, squares = 0;
+  int count = 0;
+  for (const Block& block : blocks) {
+    if (block.end < 4) continue;
+    // The torque of a kilogram: J^T (g - a).
+    const double a = -9.81 - block.regressor(0, 0) / 0.5;
+    sum += a;
+    squares += a * a;
+    ++count;
+  }
+  const double mean = sum / count, deviation = std::sqrt(squares / count - mean * mean);
+  // Of 60 samples, 1 ms apart: sigma sqrt(12 / n^3) / dt, where the difference of two ends has sigma sqrt(2) / (n dt).
+  const double slope = 0.5 * noise * std::sqrt(12 / (60.0 * 60 * 60)) / 1e-3;
+  CHECK(std::abs(mean - 0.5 * acceleration) < 4 * deviation / std::sqrt(count));
+  CHECK(deviation == Approx(slope).epsilon(0.08));
+}
+
 TEST_CASE("BlockAverager: after clear() the next sample is a first one", "[block]") {
   Averager averager(50, kGravity);
   Sample s = at_rest();

@@ -72,10 +72,11 @@ class JointTorqueModel {
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }
 
  private:
-  // Of the residual's variance, where the arm's model is rough: what gears hold at rest, and the noise of a joint that
-  // starts, stops or turns back.
+  // Of the residual's variance, where the arm's model is rough: what gears hold at rest; the noise of a joint that
+  // starts, stops or turns back; and what comes to it the slower the joint is.
   static constexpr double kRoughStiction = 16;
   static constexpr double kTurnNoise = 3;
+  static constexpr double kStopNoise = 20;
 
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   /// Of what may hold a resting joint [(N m)^2].
@@ -179,6 +180,12 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
     const Scalar viscous_drift = Scalar(kFrictionDrift) * arm_.viscous[j];
     V(kCoulomb, kCoulomb) += coulomb_drift * coulomb_drift;
     V(kViscous, kViscous) += viscous_drift * viscous_drift;
+    if (rough) {  // what holds a joint that stops is another torque each time, and creeps
+      const Scalar held = hold * exp(Scalar(-0.5) * turned_[j]);
+      scale(kStiction, held);
+      V(kStiction, kStiction) += (Scalar(1) - held * held) * stiction_variance(j);
+      continue;
+    }
     const JointFriction<Scalar>& friction = regime_.joint(j);
     if (friction.stops) {  // what held it until it stopped holds it still, or nearly so
       const Scalar d = Scalar(-0.95) * friction.last_direction;
@@ -187,7 +194,7 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
       V.row(kStiction) = d * V.row(kCoulomb);
       V.col(kStiction) = V.row(kStiction).transpose();
       const Scalar off = Scalar(0.15) * joint.mean[kCoulomb];
-      V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + (rough ? stiction_variance(j) : off * off);
+      V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
     } else if (regime_.rests(j)) {
       scale(kStiction, hold);
       V(kStiction, kStiction) += (Scalar(1) - hold * hold) * stiction_variance(j);
@@ -197,6 +204,8 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
 
 template <typename Scalar, int Dofs>
 JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scalar mass) const noexcept {
+  using std::abs;
+  constexpr double kSlow = 0.003;  // where a rough arm's friction goes from stiction to that of motion [rad/s]
   JointObservation<Scalar> o;
   o.torque = block_.tau[j];
   o.h = block_.regressor.row(j).transpose();
@@ -205,7 +214,12 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
     o.c << 1, 0, 0, 1, 0;
     return o;
   }
-  if (sensing_ == Sensing::RoughModel) o.noise += Scalar(kTurnNoise) * turning_[j] * noise_.residual_variance(j);
+  if (sensing_ == Sensing::RoughModel) {
+    const Scalar v = block_.velocity[j], d = v / (abs(v) + Scalar(kSlow));
+    o.c << 1, -d, -v, 1, Scalar(1) - abs(d);
+    o.noise += (Scalar(kTurnNoise) + Scalar(kStopNoise) * o.c[kStiction]) * turning_[j] * noise_.residual_variance(j);
+    return o;
+  }
   const JointFriction<Scalar>& friction = regime_.joint(j);
   o.c << 1, -friction.direction, -block_.velocity[j], 1, friction.resting;
   if (!friction.steady()) o.noise += Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];  // when within the block?
