@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "check_arm/joint_findings.hpp"
+#include "check_arm/link_correction.hpp"
 #include "check_arm/observer_step.hpp"
 #include "io/program.hpp"
 #include "replay_log/options.hpp"
@@ -140,7 +141,7 @@ bool judge_gravity(const std::vector<JointFindings>& joints, bool measured) {
 }
 
 template <int Dofs>
-rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>& joints,
+rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>& joints, double surprise,
                                                const ArmSettings<Dofs>& given) {
   rme::EstimatorConfig<double, Dofs> out = given.config;
   const auto usual = out.arm.value_or(rme::ArmPrior<double, Dofs>::of(out.rated_payload));
@@ -151,11 +152,11 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
   for (int j = 0; j < Dofs; ++j) {
     const JointFindings& joint = joints[static_cast<std::size_t>(j)];
     const auto logs = static_cast<double>(joint.offset.size());
-    arm.noise[j] = std::max(joint.noise, 1e-4);
+    arm.noise[j] = std::max(surprise * joint.noise, 1e-4);
     // A handful of logs says little about how far offsets spread: the usual one counts as one more.
     const double square = rms(joint.offset) * rms(joint.offset) * logs + usual.offset[j] * usual.offset[j];
     arm.offset[j] = std::sqrt(square / (logs + 1));
-    arm.residual[j] = std::max(joint.residual, 1e-3);
+    arm.residual[j] = std::max(surprise * joint.residual, 0.02 * usual.residual[j]);  // no model is without an error
     residual += joint.residual;
     limit += kRough * usual.residual[j];
     if (joint.friction_known) {
@@ -228,6 +229,52 @@ void write(const std::string& folder, const Checked<Dofs>& checked, const std::v
   if (!blocks.flush() || !windows.flush()) throw LogError(folder + ": cannot be written");
 }
 
+/// Whether other link masses explain the logs better; if so, they are written as a URDF.
+template <int Dofs>
+void judge_links(const Checked<Dofs>& checked, const std::vector<JointFindings>& joints, const RecordedArm<Dofs>& arm,
+                 const UrdfChain& chain, const std::optional<std::string>& folder) {
+  constexpr double kWorthwhile = 2.0 / 3;  // of what is left
+  std::vector<LinkRegressors> regressors;
+  for (std::size_t k = 0; k < checked.logs.size(); ++k)
+    regressors.push_back(link_regressors(checked.logs[k], checked.samples[k], arm));
+  std::vector<RigidBody> bodies;
+  for (const Link& link : chain.links) bodies.push_back(link.body);
+  const LinkCorrection correction = correct_links(checked.blocks, regressors, joints, bodies);
+  std::printf(
+      "\nother masses, centres and inertias of the links and rotors would leave %.0f %% of what is left, out of sample",
+      100 * correction.left);
+  if (correction.left > kWorthwhile) {
+    std::printf(": not worth it\n");
+    return;
+  }
+  std::printf(":\nlink                      mass [kg]: URDF, corrected    centre [m]: URDF, corrected\n");
+  UrdfChain better = chain;
+  for (std::size_t l = 0; l < better.links.size(); ++l) {
+    RigidBody& body = better.links[l].body;
+    const RigidBody was = body;
+    body = corrected(body, correction.addition[l]);
+    std::printf("%-30.30s %9.3f %9.3f   %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f\n", chain.joints[l].name.c_str(), was.mass,
+                body.mass, was.com[0], was.com[1], was.com[2], body.com[0], body.com[1], body.com[2]);
+  }
+  std::string rotors;
+  for (std::size_t j = 0; j < correction.rotor.size(); ++j) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%s%.3g", j > 0 ? "," : "",
+                  correction.rotor[j] + arm.rotor_inertia[static_cast<Eigen::Index>(j)]);
+    rotors += text;
+  }
+  if (!folder) {
+    std::printf("--output writes a URDF with them; the rotors: --rotor-inertia %s\n", rotors.c_str());
+    return;
+  }
+  make_folder("--output", *folder);
+  std::ofstream(*folder + "/corrected.urdf") << to_urdf(better);
+  std::printf(
+      "they are in %s/corrected.urdf; check again with\n--urdf %s/corrected.urdf --base base --tip tip --rotor-inertia "
+      "%s\n",
+      folder->c_str(), folder->c_str(), rotors.c_str());
+}
+
 template <int Dofs>
 int run(Arguments& arguments, const ArmRequest& request) {
   ArmSettings<Dofs> settings = parse_settings<Dofs>(arguments, request);
@@ -271,10 +318,20 @@ int run(Arguments& arguments, const ArmRequest& request) {
       std::printf("%10.1f   %32.3f   %12.3f  %10.3f   %30.0f\n", v.window, v.lightest(), v.mass, v.expected_mass,
                   1e3 * v.moment);
   }
-  settings.config = settings_of<Dofs>(joints, settings);
+  // Joints are independent to the tracker. Where what is left moves them all together, as the error of a link's mass
+  // does, it looks more like a payload than noise does.
+  double surprise = 1;
+  for (const Visibility& v : seen)
+    if (v.windows > 0 && v.expected_mass > 0) surprise = std::max(surprise, v.mass / v.expected_mass);
+  if (surprise > 1.2)
+    std::printf(
+        "an empty hand looks up to %.1f times as much like a payload as noise would: the settings allow for that\n",
+        surprise);
+  settings.config = settings_of<Dofs>(joints, surprise, settings);
   settings.config.validate(0.001);
   print_beliefs<Dofs>(checked, settings);
   if (folder) write<Dofs>(*folder, checked, joints, seen, settings.config);
+  if (measured && request.chain) judge_links<Dofs>(checked, joints, settings.arm, *request.chain, folder);
   return good ? 0 : 1;
 }
 

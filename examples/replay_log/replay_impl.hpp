@@ -76,7 +76,8 @@ Samples<Dofs> samples_of(const Log<Dofs>& log, const RecordedArm<Dofs>& arm,
       sample.tau_ext = log.tau_ext[i];
     } else {
       const auto terms = arm.model.dynamics(log.q[i], sample.dq);
-      const Vector p = terms.mass_matrix * sample.dq, s = terms.coriolis_transpose - terms.gravity;
+      const Vector p = terms.mass_matrix * sample.dq + arm.rotor_inertia.cwiseProduct(sample.dq),
+                   s = terms.coriolis_transpose - terms.gravity;
       Vector torque = sign * arm.gains.cwiseProduct(log.tau[i]);
       if constexpr (Dofs == 7)
         if (arm.is_panda) torque -= panda_friction(sample.dq);

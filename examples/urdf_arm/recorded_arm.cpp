@@ -20,6 +20,11 @@ ArmRequest parse_arm(Arguments& arguments) {
       if (gain == 0) throw ArgumentError("--gains: must not be zero");
     request.gains = *gains;
   }
+  if (const auto rotors = arguments.numbers("--rotor-inertia", static_cast<std::size_t>(request.dofs()))) {
+    for (const double inertia : *rotors)
+      if (!(inertia >= 0)) throw ArgumentError("--rotor-inertia: must not be negative");
+    request.rotor_inertia = *rotors;
+  }
   if (const auto g = arguments.numbers("--gravity", 3)) {
     request.gravity = Eigen::Vector3d((*g)[0], (*g)[1], (*g)[2]);
     if (!(request.gravity->norm() > 0)) throw ArgumentError("--gravity: must not be zero");

@@ -23,6 +23,7 @@ constexpr const char* kArmUsage =
     "  --rated-payload M   heaviest payload of the arm [kg] (3; for --urdf from its effort limits)\n"
     "  --torque-sign S     of the log's torque: external (default) or reaction\n"
     "  --gains K1,K2,...   tau1.. are motor currents [A]; of each joint, its torque for one [N m/A]\n"
+    "  --rotor-inertia I1,I2,...  of each joint, seen through its gear; tau1.. accelerates it as well [kg m^2] (0)\n"
     "  --gravity X,Y,Z     world axes [m/s^2] (0,0,-9.81)\n";
 
 /// What the options above say.
@@ -30,7 +31,8 @@ struct ArmRequest {
   std::optional<UrdfChain> chain;  ///< nothing: the Panda
   std::optional<double> rated_payload;
   std::optional<TorqueSign> torque_sign;
-  std::vector<double> gains;  ///< none, or one for each joint [N m/A]
+  std::vector<double> gains;          ///< none, or one for each joint [N m/A]
+  std::vector<double> rotor_inertia;  ///< none, or one for each joint [kg m^2]
   std::optional<Eigen::Vector3d> gravity;
 
   int dofs() const noexcept { return chain ? chain->dofs() : 7; }
@@ -44,7 +46,8 @@ ArmRequest parse_arm(Arguments& arguments);
 template <int Dofs>
 struct RecordedArm {
   ArmModel<Dofs> model;
-  JointVector<double, Dofs> gains = JointVector<double, Dofs>::Ones();  ///< [N m] for what `tau` is in; or 1
+  JointVector<double, Dofs> gains = JointVector<double, Dofs>::Ones();          ///< [N m] for what `tau` is in; or 1
+  JointVector<double, Dofs> rotor_inertia = JointVector<double, Dofs>::Zero();  ///< that `tau` moves as well [kg m^2]
   bool is_panda = false;  ///< the built-in one, whose friction is known: it is taken out of measured torque
 };
 
@@ -100,6 +103,8 @@ RecordedArm<Dofs> recorded_arm(const ArmRequest& request, bool rated, EstimatorC
     arm.is_panda = true;
   }
   if (!request.gains.empty()) arm.gains = Eigen::Map<const JointVector<double, Dofs>>(request.gains.data());
+  if (!request.rotor_inertia.empty())
+    arm.rotor_inertia = Eigen::Map<const JointVector<double, Dofs>>(request.rotor_inertia.data());
   if (request.gravity) config.gravity = *request.gravity;
   if (request.torque_sign) config.torque_sign = *request.torque_sign;
   if (request.rated_payload)

@@ -1,0 +1,82 @@
+#pragma once
+/// What an empty hand's torque says against the masses, centres and inertias of the links in a URDF.
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <rme/tracking/inertial_parameters.hpp>
+#include <string>
+#include <vector>
+
+#include "check_arm/joint_findings.hpp"
+
+namespace rme::examples {
+
+/// For each joint a row per block: the torque [N m] that an addition to each link's ten inertial parameters would make,
+/// link after link.
+using LinkRegressors = std::vector<Eigen::MatrixXd>;
+
+/// Pose of a link of the arm, and the Jacobian of its origin.
+template <int Dofs>
+Kinematics<Dofs> link_kinematics(const ArmModel<Dofs>& model, const JointVector<double, Dofs>& q, int link) {
+  ArmModel<Dofs> upto = model;  // the links beyond do not move it: their joints are folded up in its origin
+  upto.flange.setZero();
+  upto.flange_rotation.setIdentity();
+  JointVector<double, Dofs> angles = q;
+  for (int j = link + 1; j < Dofs; ++j) {
+    upto.links[static_cast<std::size_t>(j)].offset.setZero();
+    upto.links[static_cast<std::size_t>(j)].rotation.setIdentity();
+    angles[j] = 0;
+  }
+  Kinematics<Dofs> out = upto.kinematics(angles);
+  for (int j = link + 1; j < Dofs; ++j) out.jacobian.col(j).setZero();
+  return out;
+}
+
+/// In the blocks of blocks_of(log, samples, arm).
+template <int Dofs>
+LinkRegressors link_regressors(const Log<Dofs>& log, const Samples<Dofs>& samples, const RecordedArm<Dofs>& arm) {
+  std::vector<Eigen::Matrix<double, Dofs, kInertial>> rows;
+  LinkRegressors out(Dofs);
+  for (int link = 0; link < Dofs; ++link) {
+    BlockAverager<double, Dofs> averager(samples.bandwidth, arm.model.gravity_vector);
+    rows.clear();
+    for (std::size_t k = 0; k < samples.sample.size(); ++k) {
+      Proprioception<double, Dofs> sample = samples.sample[k];
+      const std::size_t row = samples.row[k];
+      const auto at = link_kinematics(arm.model, log.q[row], link);
+      sample.jacobian = at.jacobian;
+      sample.rotation = at.rotation;
+      if (averager.add(sample, sample.period > 0 ? sample.period : samples.timing.period, log.t[row]))
+        rows.push_back(averager.block().regressor);
+    }
+    for (int j = 0; j < Dofs; ++j) {
+      Eigen::MatrixXd& mine = out[static_cast<std::size_t>(j)];
+      mine.conservativeResize(static_cast<Eigen::Index>(rows.size()), kInertial * Dofs);
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        mine.block<1, kInertial>(static_cast<Eigen::Index>(i), kInertial * link) = rows[i].row(j);
+    }
+  }
+  return out;
+}
+
+struct LinkCorrection {
+  /// Additions to the links' inertial parameters, link axes, about the links' origins.
+  std::vector<InertialVector<double>> addition;
+  std::vector<double> rotor;  ///< inertia of each joint's rotor, seen through its gear, which no URDF has [kg m^2]
+  /// What is left of the torque's rms where nothing was fitted to it, with the corrections over without them: the mean
+  /// over two halves of the logs, each fitted to the other.
+  double left = 1;
+};
+
+/// Ridge regression towards the URDF, together with each joint's offset, friction and rotor inertia.
+/// @param bodies  of the URDF's links, as the arm has them
+LinkCorrection correct_links(const std::vector<LogBlocks>& logs, const std::vector<LinkRegressors>& regressors,
+                             const std::vector<JointFindings>& joints, const std::vector<RigidBody>& bodies);
+
+/// The body with an addition, made one that can exist.
+RigidBody corrected(const RigidBody& body, const InertialVector<double>& addition);
+
+/// A URDF of the arm, from link `base` to link `tip`: all that moves is its links, with what was welded to them.
+std::string to_urdf(const UrdfChain& chain);
+
+}  // namespace rme::examples

@@ -1,0 +1,181 @@
+// score_run: what is believed of a run with a known load, beside what least squares say of it?
+//
+// Plays a log in which the hand holds a known mass from beginning to end, after one in which it is empty if --empty
+// names one, as if it were one life. Prints a row of a Markdown table for
+//
+//   rme                   what the estimator believes over time
+//   batch least squares   of the whole run at once, with hindsight: (m, m r), and offset, Coulomb and viscous friction
+//   of
+//                         each joint
+//   recursive, forgetting (m, m r) over the last seconds, on the torque without the offset and friction that the empty
+//                         log shows: what one would run online instead
+//
+// With --mass 0 the run is an empty hand's. Exit codes: 0; 2 unusable arguments; 3 unusable log.
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check_arm/joint_findings.hpp"
+#include "io/program.hpp"
+#include "replay_log/options.hpp"
+
+namespace {
+
+using namespace rme::examples;
+
+constexpr const char* kUsage = "usage: score_run LOG.csv[.gz] --mass KG [options]\n";
+constexpr const char* kOwnUsage =
+    "  --mass KG           what the hand holds [kg]\n"
+    "  --empty LOG.csv     played first; friction and offsets for recursive least squares come from it\n"
+    "  --name TEXT         of the run, for the table\n"
+    "  --header            print the table's header as well\n";
+
+constexpr double kNinety = 1.6448536269514722;
+constexpr double kSettles = 5, kEarly = 10, kMemory = 5;  // [s]
+
+struct Belief {
+  double t, mass, deviation;  // since the run's begin [s], [kg], [kg]
+};
+
+/// A row of the table. Means are over time, from kSettles on.
+void print(const std::string& run, const char* what, const std::vector<Belief>& beliefs, double truth, bool honest) {
+  double error = 0, held = 0, time = 0, early = 0, largest = 0;
+  for (std::size_t i = 0; i < beliefs.size(); ++i) {
+    const Belief& b = beliefs[i];
+    const double step = i > 0 ? b.t - beliefs[i - 1].t : 0, off = std::abs(b.mass - truth);
+    if (b.t <= kEarly) early = off;
+    if (b.t < kSettles) continue;
+    error += step * off;
+    held += off <= kNinety * b.deviation ? step : 0;
+    time += step;
+    if (b.mass > 1.2816 * b.deviation) largest = std::max(largest, b.mass);
+  }
+  char share[16] = "";
+  if (honest) std::snprintf(share, sizeof share, "%.0f", 100 * held / time);
+  std::printf("| %s | %s | %.3f | %.3f | %.3f | %.3f | %s | %.2f |\n", run.c_str(), what, error / time, early,
+              std::abs(beliefs.back().mass - truth), beliefs.back().mass, share, largest);
+}
+
+/// Mass by least squares over all blocks, with each joint's offset and friction.
+double batch(const LogBlocks& log, const Eigen::VectorXd& weight) {
+  const Eigen::Index joints = log.joints(), n = 4 + 3 * joints;
+  Eigen::MatrixXd A = 1e-6 * Eigen::MatrixXd::Identity(n, n);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    for (Eigen::Index i = 0; i < log.blocks(); ++i) {
+      Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
+      row.head<4>() = log.payload[static_cast<std::size_t>(j)].row(i);
+      row.segment<3>(4 + 3 * j) << 1, -log.direction(i, j), -log.velocity(i, j);
+      A += weight[j] * row * row.transpose();
+      b += weight[j] * row * log.tau(i, j);
+    }
+  }
+  return A.ldlt().solve(b)[0];
+}
+
+std::vector<Belief> recursive(const LogBlocks& log, const Eigen::MatrixXd& torque, const Eigen::VectorXd& weight,
+                              double begin) {
+  Eigen::Matrix4d A = 1e-3 * Eigen::Matrix4d::Identity();
+  Eigen::Vector4d b = Eigen::Vector4d::Zero();
+  std::vector<Belief> out;
+  for (Eigen::Index i = 0; i < log.blocks(); ++i) {
+    const double keep = std::exp(-log.duration[i] / kMemory);
+    A *= keep;
+    b *= keep;
+    for (Eigen::Index j = 0; j < log.joints(); ++j) {
+      const Eigen::Vector4d h = log.payload[static_cast<std::size_t>(j)].row(i);
+      A += weight[j] * h * h.transpose();
+      b += weight[j] * h * torque(i, j);
+    }
+    out.push_back({log.end[i] - begin, A.ldlt().solve(b)[0], 0});
+  }
+  return out;
+}
+
+/// One log after the other, a period apart.
+template <int Dofs>
+Log<Dofs> joined(Log<Dofs> first, const Log<Dofs>& second) {
+  const double shift = first.t.back() + nominal_period(second.t) - second.t.front();
+  for (const double t : second.t) first.t.push_back(t + shift);
+  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  append(first.q, second.q);
+  append(first.dq, second.dq);
+  append(first.tau, second.tau);
+  append(first.tau_ext, second.tau_ext);
+  return first;
+}
+
+template <int Dofs>
+int run(Arguments& arguments, const ArmRequest& request) {
+  const ArmSettings<Dofs> settings = parse_settings<Dofs>(arguments, request);
+  const auto mass = arguments.number("--mass");
+  if (!mass || !(*mass >= 0)) throw ArgumentError("--mass: must say what the hand holds, 0 or more kg");
+  const auto empty = arguments.text("--empty");
+  const bool header = arguments.flag("--header");
+  const auto name = arguments.text("--name");
+  const std::string file = arguments.positional("LOG.csv");
+  arguments.finish();
+  const auto read = [&](const std::string& path) {
+    Log<Dofs> log = read_log<Dofs>(path);
+    require_external_torque(log);
+    log.truth.clear();
+    return log;
+  };
+  const Log<Dofs> log = read(file);
+  if (header)
+    std::printf(
+        "| run | by | mean error, 5 s on [kg] | after 10 s | at the end | mass at the end | 90 %% interval holds "
+        "| largest sure of |\n|---|---|---:|---:|---:|---:|---:|---:|\n");
+  const std::string title = name.value_or(file.substr(file.rfind('/') + 1));
+  const LogBlocks blocks = blocks_of(log, samples_of(log, settings.arm, settings.config), settings.arm);
+  Eigen::VectorXd weight = Eigen::VectorXd::Ones(Dofs);
+  Eigen::MatrixXd without_friction = blocks.tau;
+  Log<Dofs> life = log;
+  if (empty) {
+    const Log<Dofs> before = read(*empty);
+    if (before.tau_ext.empty() != log.tau_ext.empty() || before.dq.empty() != log.dq.empty())
+      throw LogError(before.name + ": has other columns than " + log.name);
+    const std::vector<LogBlocks> logs = {
+        blocks_of(before, samples_of(before, settings.arm, settings.config), settings.arm)};
+    const std::vector<JointFindings> joints = find_joints(logs);
+    without_friction = unexplained(blocks, 0, joints);
+    const Eigen::MatrixXd left = unexplained(logs.front(), 0, joints);
+    for (int j = 0; j < Dofs; ++j)
+      weight[j] = 1 / std::max(1e-8, left.col(j).squaredNorm() / static_cast<double>(left.rows()));
+    life = joined(before, log);
+  }
+  const double begin = life.t.back() - (log.t.back() - log.t.front());
+  std::vector<Belief> beliefs;
+  ReplayOptions<Dofs> options;
+  options.arm = settings.arm;
+  options.estimator = settings.config;
+  replay<Dofs>(
+      life, samples_of(life, settings.arm, settings.config), options,
+      [&](const ReplayedEstimate& e) {
+        if (e.t >= begin)
+          beliefs.push_back({e.t - begin, e.state.payload.mean[0], e.state.payload.standard_deviation()[0]});
+      },
+      [](const ReplayedPush&) {});
+  if (beliefs.empty() || beliefs.back().t < kSettles + 1) throw LogError(log.name + ": is shorter than 6 s");
+  print(title, "rme", beliefs, *mass, true);
+  const double hindsight = batch(blocks, weight);
+  std::printf("| | batch least squares | | | %.3f | %.3f | | |\n", std::abs(hindsight - *mass), hindsight);
+  if (empty)
+    print("", "recursive, forgetting", recursive(blocks, without_friction, weight, log.t.front()), *mass, false);
+  return 0;
+}
+
+int run(Arguments& arguments) {
+  const ArmRequest request = parse_arm(arguments);
+  return with_joint_count(request.dofs(), [&](auto dofs) { return run<dofs()>(arguments, request); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("score_run", std::string(kUsage) + kArmUsage + kSettingsUsage + kOwnUsage, argc, argv, run);
+}
