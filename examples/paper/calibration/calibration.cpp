@@ -53,7 +53,8 @@ Simulates random payloads on a random arm and says how good and how honest the t
                     other (default)
   --truth NAME      where payloads come from: prior (the tracker's own, default), or uniform (0.2 to 2 kg)
   --pushes N        also N pushes of an empty hand of each kind of arm, 0.3 to 2 s long: half of them 5 to 30 N in any
-                    direction, half 6 to 25 N down and 1 to 10 N aside
+                    direction at the flange, half nearly what a payload does: 6 to 12 N down and about 1 N aside, 10 cm
+                    ahead of it
   --quiet S         also S seconds with nothing attached: half at rest, half following a moving target
   --seed N          of everything random (default 1)
   --threads N       (default 1); the result does not depend on it
@@ -286,10 +287,10 @@ double push_arm(const Options& options, Kind kind, std::size_t run) {
   RandomHost random(options.seed + 1, run);
   const Draw draw = random.draw(kind, std::nullopt, false);
   Host host(draw);
-  Eigen::Vector3d force = random.uniform(5, 30) * random.direction();
-  if (run % 2 == 1) {
-    const double aside = random.uniform(1, 10), heading = random.uniform(-3.14159265358979, 3.14159265358979);
-    force = Eigen::Vector3d(aside * std::cos(heading), aside * std::sin(heading), -random.uniform(6, 25));
+  Eigen::Vector3d force = random.uniform(5, 30) * random.direction(), at = Eigen::Vector3d::Zero();
+  if (run % 2 == 1) {  // nearly what a payload does
+    force = Eigen::Vector3d(random.normal(0, 1), random.normal(0, 1), -6 - 2 * std::abs(random.normal(0, 1)));
+    at = Eigen::Vector3d(random.normal(0, 0.05), random.normal(0, 0.05), random.normal(0.1, 0.03));
   }
   const double duration = random.uniform(0.3, 2);
   constexpr double kRamp = 0.05;  // at both ends [s]
@@ -297,7 +298,8 @@ double push_arm(const Options& options, Kind kind, std::size_t run) {
   while (host.arm().time() < kAttach + duration + kWatched) {
     const double t = host.arm().time() - kAttach;
     const double share = std::clamp(std::min(t, duration - t) / kRamp, 0.0, 1.0);
-    host.arm().push({share * force, Eigen::Vector3d::Zero()});
+    const Eigen::Vector3d lever = host.arm().kinematics().rotation * at;
+    host.arm().push({share * force, share * lever.cross(force)});
     host.tick();
     since = host.state().payload.mean[0] > kGhost ? since + kPeriod : 0;
     longest = std::max(longest, since);
