@@ -3,17 +3,18 @@
 //
 // Simulates a Panda in random poses that holds still under an impedance law; its torque sensors have noise and offsets,
 // its joints friction, all drawn anew for each run. After one second an unknown payload hangs on its flange; from the
-// second second on the arm moves. Judged is what the tracker believes at rest, half a second after the attach, and after
-// three seconds of motion. Printed are for each parameter the errors, how often the 50, 80, 90 and 95 % intervals hold
-// the truth, and the rank histogram (simulation-based calibration: where the truth lies in the posterior, in tenths;
-// level if the posteriors are honest), for arms whose torque sensing sees joint friction and for arms where it does
-// not. The estimator is not told which it is.
+// second second on the arm moves. Judged is what the tracker believes at rest, half a second after the attach, and
+// after three seconds of motion. Printed are for each parameter the errors, how often the 50, 80, 90 and 95 % intervals
+// hold the truth, and the rank histogram (simulation-based calibration: where the truth lies in the posterior, in
+// tenths; level if the posteriors are honest), for arms whose torque sensing sees joint friction and for arms where it
+// does not. The estimator is not told which it is.
 //
 // --pushes adds as many runs in which a hand pushes an empty arm, --quiet that many seconds in which nothing happens.
 //
-// A calibrated posterior has level ranks only if the truths come from its own prior, which is the default here. "--truth
-// uniform" draws them evenly from the payloads that one may meet, which is what a user cares about; where the data say
-// little (the centre of mass along gravity), coverage then says as much about the prior as about the inference.
+// A calibrated posterior has level ranks only if the truths come from its own prior, which is the default here.
+// "--truth uniform" draws them evenly from the payloads that one may meet, which is what a user cares about; where the
+// data say little (the centre of mass along gravity), coverage then says as much about the prior as about the
+// inference.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -35,12 +36,12 @@ namespace {
 
 using namespace rme::examples;
 
-constexpr double kAttach = 1;    // when the payload or the push comes [s]
-constexpr double kRest = 0.5;    // judged that long after the attach, at rest [s]
-constexpr double kSetOff = 2;    // when the arm begins to move [s]
-constexpr double kEnd = 5;       // judged then, after motion [s]
-constexpr double kWatched = 2;   // how long a push is watched after its end [s]
-constexpr double kGhost = 0.05;  // of an empty hand: more is a payload that is not there [kg]
+constexpr double kAttach = 1;     // when the payload or the push comes [s]
+constexpr double kRest = 0.5;     // judged that long after the attach, at rest [s]
+constexpr double kSetOff = 2;     // when the arm begins to move [s]
+constexpr double kEnd = 5;        // judged then, after motion [s]
+constexpr double kWatched = 2;    // how long a push is watched after its end [s]
+constexpr double kGhost = 0.05;   // of an empty hand: more is a payload that is not there [kg]
 constexpr double kCarried = 0.2;  // for which a push may pass for a payload [s]
 
 constexpr const char* kUsage =
@@ -55,6 +56,8 @@ Simulates random payloads on a random arm and says how good and how honest the t
   --pushes N        also N pushes of an empty hand of each kind of arm, 0.3 to 2 s long: half of them 5 to 30 N in any
                     direction at the flange, half nearly what a payload does: 6 to 12 N down and about 1 N aside, 10 cm
                     ahead of it
+  --warm-up S       the arm moves that long before anything else, and so shows what kind it is (default 0)
+  --told            the estimator is told what kind it is
   --quiet S         also S seconds with nothing attached: half at rest, half following a moving target
   --seed N          of everything random (default 1)
   --threads N       (default 1); the result does not depend on it
@@ -67,7 +70,8 @@ payload for more than 0.2 s, and no payload is refused; 1 not; 2 unusable argume
 
 struct Options {
   std::size_t events = 500, pushes = 0, threads = 1;
-  double quiet = 0;
+  double quiet = 0, warm_up = 0;
+  bool told = false;
   std::uint64_t seed = 1;
   std::vector<Kind> kinds = {Kind::LinkSide, Kind::JointFriction};
   bool from_prior = true;
@@ -91,6 +95,9 @@ Options parse(Arguments& arguments) {
   options.seed = arguments.whole("--seed", 0).value_or(1);
   options.quiet = arguments.number("--quiet").value_or(0);
   if (!(options.quiet >= 0 && options.quiet <= 1e6)) throw ArgumentError("--quiet: must be from 0 to 1e6 s");
+  options.warm_up = arguments.number("--warm-up").value_or(0);
+  if (!(options.warm_up >= 0 && options.warm_up <= 1e4)) throw ArgumentError("--warm-up: must be from 0 to 1e4 s");
+  options.told = arguments.flag("--told");
   using Kinds = std::vector<Kind>;
   options.kinds = arguments
                       .choice<Kinds>("--sensing", {{"link_side", {Kind::LinkSide}},
@@ -147,6 +154,34 @@ class Swing {
   Torque amplitude_, frequency_;  // [rad], [rad/s]
 };
 
+/// The settings of its estimator, and an arm that has moved as long as was asked for and rests again.
+class Bench : public Host {
+ public:
+  Bench(const Options& options, Kind kind, const Draw& draw, const Swing& swing)
+      : Host(draw, settings(options, kind)), draw_(draw) {
+    while (arm().time() < options.warm_up) {
+      const double share = std::sin(3.14159265358979 * arm().time() / options.warm_up);
+      move(share * share * swing.at(arm().time()));
+      tick();
+    }
+    if (options.warm_up > 0) move(Torque::Zero());
+    begin_ = arm().time();
+  }
+  double time() { return arm().time() - begin_; }  // since then [s]
+  /// From where it is to hold [rad].
+  void move(const Torque& way) { hold(draw_.target + way); }
+
+ private:
+  static rme::EstimatorConfig<double, 7> settings(const Options& options, Kind kind) {
+    rme::EstimatorConfig<double, 7> config;
+    if (options.told)
+      config.sensing = kind == Kind::JointFriction ? rme::SensingPrior::JointFriction : rme::SensingPrior::LinkSide;
+    return config;
+  }
+  Draw draw_;
+  double begin_ = 0;
+};
+
 /// When a payload is judged.
 enum When : std::size_t { kAtRest, kAfterMotion, kWhens };
 constexpr const char* kWhenNames[] = {"at rest", "after motion"};
@@ -162,7 +197,7 @@ Event attach_payload(const Options& options, Kind kind, std::size_t run) {
   RandomHost random(options.seed, run);
   const Draw draw = random.draw(kind, options.truth());
   const Swing swing(random);
-  Host host(draw);
+  Bench host(options, kind, draw, swing);
   Event event;
   event.skipped = draw.skipped;
   const auto judge = [&](When when) {
@@ -178,11 +213,10 @@ Event attach_payload(const Options& options, Kind kind, std::size_t run) {
     event.scored[when] = s;
   };
   const auto run_until = [&](double time) {
-    while (host.arm().time() < time - kPeriod / 2) {
-      if (host.arm().time() > kSetOff) host.hold(draw.target + swing.at(host.arm().time() - kSetOff));
+    while (host.time() < time - kPeriod / 2) {
+      if (host.time() > kSetOff) host.move(swing.at(host.time() - kSetOff));
       host.tick();
-      if (host.arm().time() > kAttach && event.noticed < 0 && !host.state().empty())
-        event.noticed = host.arm().time() - kAttach;
+      if (host.time() > kAttach && event.noticed < 0 && !host.state().empty()) event.noticed = host.time() - kAttach;
     }
   };
   run_until(kAttach);
@@ -212,8 +246,8 @@ bool print(const std::vector<Scored>& scored) {
   for (const Scored& s : scored) across += s.across / static_cast<double>(scored.size());
   const auto [least, most] = expected_counts(scored.size());
   std::printf("centre of mass across gravity: %.2f mm off on average\n", 1e3 * across);
-  std::printf("half width: of the 90 %% interval; ranks of an honest posterior: %.0f to %.0f in 99 %% of cases\n", least,
-              most);
+  std::printf("half width: of the 90 %% interval; ranks of an honest posterior: %.0f to %.0f in 99 %% of cases\n",
+              least, most);
   return honest;
 }
 
@@ -286,7 +320,7 @@ bool study_payloads(const Options& options, Kind kind, Files& files) {
 double push_arm(const Options& options, Kind kind, std::size_t run) {
   RandomHost random(options.seed + 1, run);
   const Draw draw = random.draw(kind, std::nullopt, false);
-  Host host(draw);
+  Bench host(options, kind, draw, Swing(random));
   Eigen::Vector3d force = random.uniform(5, 30) * random.direction(), at = Eigen::Vector3d::Zero();
   if (run % 2 == 1) {  // nearly what a payload does
     force = Eigen::Vector3d(random.normal(0, 1), random.normal(0, 1), -6 - 2 * std::abs(random.normal(0, 1)));
@@ -295,8 +329,8 @@ double push_arm(const Options& options, Kind kind, std::size_t run) {
   const double duration = random.uniform(0.3, 2);
   constexpr double kRamp = 0.05;  // at both ends [s]
   double longest = 0, since = 0;
-  while (host.arm().time() < kAttach + duration + kWatched) {
-    const double t = host.arm().time() - kAttach;
+  while (host.time() < kAttach + duration + kWatched) {
+    const double t = host.time() - kAttach;
     const double share = std::clamp(std::min(t, duration - t) / kRamp, 0.0, 1.0);
     const Eigen::Vector3d lever = host.arm().kinematics().rotation * at;
     host.arm().push({share * force, share * lever.cross(force)});
@@ -332,10 +366,10 @@ int leave_alone(const Options& options, Kind kind, std::size_t run, double durat
   RandomHost random(options.seed + 2, run);
   const Draw draw = random.draw(kind, std::nullopt, false);
   const Swing swing(random);
-  Host host(draw);
+  Bench host(options, kind, draw, swing);
   int found = 0, last = 0;
-  while (host.arm().time() < duration) {
-    if (run % 2 == 1) host.hold(draw.target + swing.at(host.arm().time()));
+  while (host.time() < duration) {
+    if (run % 2 == 1) host.move(swing.at(host.time()));
     host.tick();
     const rme::Event& event = host.state().event;
     found += event.number != last && event.kind != rme::EventKind::Pushed ? 1 : 0;
