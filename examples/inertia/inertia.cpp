@@ -127,9 +127,9 @@ int run(Arguments& arguments) {
   options.seed = arguments.whole("--seed", 0).value_or(1);
   arguments.finish();
 
-  std::printf("| turned by, at | peak rad/s |");
+  std::printf("| turned by, at    | peak rad/s |");
   for (const double t : kJudged) std::printf(" off after %2.0f s, std. |", t);
-  std::printf("\n|---------------|-----------:|");
+  std::printf("\n|------------------|-----------:|");
   for (std::size_t i = 0; i < kJudged.size(); ++i) std::printf("---------------------:|");
   std::printf("\n");
   const Turning turnings[] = {{0, 0}, {0.1, 0.5}, {0.2, 0.5}, {0.4, 0.5}, {0.8, 0.5}, {0.4, 0.25}, {0.4, 1}};
@@ -147,7 +147,7 @@ int run(Arguments& arguments) {
       speed = std::max(speed, result.speed);
     }
     std::fprintf(stderr, "\r%40s\r", "");
-    std::printf("| %.1f rad, %.2f Hz | %8.2f |", turning.amplitude, turning.frequency, speed);
+    std::printf("| %.1f rad, %.2f Hz | %10.2f |", turning.amplitude, turning.frequency, speed);
     for (std::size_t i = 0; i < kJudged.size(); ++i)
       std::printf("      %5.0f, %5.0f %% |", 100 * median(error[i]), 100 * median(deviation[i]));
     std::printf("\n");

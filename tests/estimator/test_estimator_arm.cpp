@@ -81,13 +81,9 @@ TEST_CASE("Estimator: a model that is off by half a newton metre, elsewhere in e
     rme::Estimator<double, 7> estimator(kPeriod);
     const auto& state = estimator.state();
     const HeldArm::Vector ready = arm.pose();
-    double mass = 0;
     const auto run = [&](double seconds) {
       for (int k = 0; k < static_cast<int>(seconds / kPeriod); ++k) {
-        if (!arm.moving())
-          arm.move(
-              arm.pose()[0] < ready[0] ? ready + 0.3 * HeldArm::Vector::Ones() : ready - 0.3 * HeldArm::Vector::Ones(),
-              3);
+        if (!arm.moving()) arm.move(ready.array() + (arm.pose()[0] < ready[0] ? 0.3 : -0.3), 3);
         auto sample = arm.tick();
         for (int j = 0; j < 7; ++j) sample.tau_ext[j] += 0.5 * std::sin(8 * arm.pose()[j] + j);
         REQUIRE(estimator.update(sample) == Status::Ok);
@@ -95,10 +91,9 @@ TEST_CASE("Estimator: a model that is off by half a newton metre, elsewhere in e
     };
     run(6);
     CHECK(state.payload.mean[0] < 0.05);
-    for (const double next : {1.2, 0.0, 0.8, 0.0}) {
-      CAPTURE(next);
+    for (const double mass : {1.2, 0.0, 0.8, 0.0}) {
+      CAPTURE(mass);
       const int before = state.event.number;
-      mass = next;
       arm.hold({mass, {0.02, 0.01, 0.1}});
       run(0.6);
       CHECK(state.event.number > before);

@@ -305,7 +305,7 @@ bool study_payloads(const Options& options, Kind kind, Files& files) {
     std::printf("\n%s, %s\n", name_of(kind), kWhenNames[when]);
     if (scored.empty()) return false;
     const bool honest = print(scored);
-    files.add(std::string(name_of(kind)) + ", " + kWhenNames[when], scored);
+    files.add(std::string(name_of(kind)) + " " + kWhenNames[when], scored);
     std::printf("believed in: %zu of %zu\n", scored.size(), options.events);
     good = good && scored.size() == options.events && (when == kAtRest || honest);
   }

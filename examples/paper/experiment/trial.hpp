@@ -23,7 +23,7 @@ enum class Method : std::uint8_t {
 
 constexpr std::array<Method, 3> kMethods = {Method::None, Method::Published, Method::Tracker};
 constexpr const char* name_of(Method method) {
-  constexpr const char* names[] = {"CPIC alone", "published pipeline", "tracker", "tracker, told of the sensing"};
+  constexpr const char* names[] = {"CPIC alone", "published pipeline", "tracker", "tracker told of the sensing"};
   return names[static_cast<std::size_t>(method)];
 }
 

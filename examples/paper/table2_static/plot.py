@@ -19,7 +19,7 @@ def draw(folder):
     for axis, (key, title), index in zip(axes, PARAMETERS, range(4)):
         for place, mass in enumerate(masses):
             for method, colour, left in (("published pipeline", COLOURS[2], -0.45), ("tracker", COLOURS[0], -0.12),
-                                         ("tracker, told of the sensing", COLOURS[5], 0.2)):
+                                         ("tracker told of the sensing", COLOURS[5], 0.2)):
                 mine = [row for row in rows if row["m"] == mass and row["method"] == method]
                 at = [place + left + 0.25 * (k + 0.5) / len(mine) for k in range(len(mine))]
                 axis.errorbar(at, [1e3 * row[f"{key}_error"] for row in mine],

@@ -104,7 +104,7 @@ int run(Arguments& arguments) {
   constexpr std::array<Method, 3> methods = {Method::Published, Method::Tracker, Method::TrackerTold};
   CsvFile csv(setup.output, "trials.csv",
               "method,m,rx,ry,rz,trial,m_error,x_error,y_error,z_error,m_std,x_std,y_std,z_std,after");
-  MarkdownTable table({"payload [kg; mm]", "published mean ± std. dev. of 10", "published pipeline", "tracker", "tracker, told of the sensing"});
+  MarkdownTable table({"payload [kg; mm]", "published mean ± std. dev. of 10", "published pipeline", "tracker", "tracker told of the sensing"});
   Vector4d as_published = Vector4d::Zero();
   std::array<Errors, 3> first, settled;
   std::array<std::size_t, 3> missed{};

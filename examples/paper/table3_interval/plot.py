@@ -20,7 +20,7 @@ def draw(folder):
         for who, style, colour, label in (("first", "o:", COLOURS[2], "published pipeline, first estimate"),
                                           ("last", "o-", COLOURS[2], "published pipeline, last estimate"),
                                           ("tracker", "o:", COLOURS[0], "tracker, since the attach"),
-                                          ("told", "o-", COLOURS[0], "tracker, told of the sensing")):
+                                          ("told", "o-", COLOURS[0], "tracker told of the sensing")):
             points = []
             for interval in INTERVALS:
                 errors = [row[f"{key}_error"] for row in rows if row["who"] == who and row["interval"] == interval]

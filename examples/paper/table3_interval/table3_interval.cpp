@@ -153,7 +153,7 @@ int run(Arguments& arguments) {
   print("published pipeline, first estimate", means(errors.first));
   print(text("published pipeline, last estimate in %.0f s", kPatience).c_str(), means(errors.last));
   print("tracker, since the attach", means(errors.tracker));
-  print("tracker, told of the sensing", means(errors.told));
+  print("tracker told of the sensing", means(errors.told));
   std::printf("Estimates of the pipeline: %zu, %zu, %zu, %zu of %zu payloads. The tracker knew of %zu of them after %.0f ms.\n",
               errors.first[0].count, errors.first[1].count, errors.first[2].count, errors.first[3].count, sets,
               errors.known, 1e3 * kIntervals[3]);
