@@ -137,7 +137,8 @@ int run(Arguments& arguments) {
       pushes += out.pushed ? 1 : 0;
       progress("figure7_detection", number, trials * scenarios().size());
     }
-    // Of what has slid into the hand in two seconds, the mass in the end is what counts, not when it is called an event.
+    // Of what has slid into the hand in two seconds, the mass in the end is what counts, not when it is called an
+    // event.
     good = good && (scenario.is_push() ? tracker.estimates.empty() && tracker.worst < 0.02
                                        : tracker.worst < (setup.friction ? 0.1 : 0.05));
     table.row({scenario.name, often(published.noticed, trials), often(published.estimates, trials),

@@ -46,8 +46,7 @@ struct Files {
   CsvFile errors, with, without;  // joint angles: with the tracker's compensation, and alone
 };
 
-Result run_trial(const Setup& setup, const PublishedTrial& payload, std::uint64_t number, Method method,
-                 Files* files) {
+Result run_trial(const Setup& setup, const PublishedTrial& payload, std::uint64_t number, Method method, Files* files) {
   const auto& q = panda().ready;
   Trial trial(setup.arm(number), HostConfig::hold(panda(), q), q, method);
   Result result;
@@ -85,8 +84,8 @@ int run(Arguments& arguments) {
   Files files{{setup.output, "errors.csv", "m,method,t,position,orientation"},
               {setup.output, "equilibrium_with.csv", joints},
               {setup.output, "equilibrium_without.csv", joints}};
-  MarkdownTable steady({"payload [kg]", "alone [mm]", "[deg]", "published pipeline [mm]", "[deg]", "tracker [mm]",
-                        "[deg]"});
+  MarkdownTable steady(
+      {"payload [kg]", "alone [mm]", "[deg]", "published pipeline [mm]", "[deg]", "tracker [mm]", "[deg]"});
   MarkdownTable peak({"payload [kg]", "alone [mm]", "published pipeline [mm]", "tracker [mm]"});
   std::size_t number = 0;
   bool reached = true;

@@ -2,8 +2,8 @@
 //
 // The weight acts in the plane of the cycle. Where it exceeds the force that drives the arm round, lambda_1 w r = 6 N,
 // the sum of both has a stable equilibrium: without compensation the arm stops there, in a spurious attractor. Lighter
-// payloads let it turn on, off the cycle. With the tracker's compensation it returns to the cycle. Gains and speed are the defaults
-// of LimitCycle and PassiveController: 60 and 90 N s/m, 2 1/s, 1 rad/s.
+// payloads let it turn on, off the cycle. With the tracker's compensation it returns to the cycle. Gains and speed are
+// the defaults of LimitCycle and PassiveController: 60 and 90 N s/m, 2 1/s, 1 rad/s.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -97,16 +97,15 @@ Outcome run_trial(const Setup& setup, const PublishedTrial& payload, std::uint64
     if (t > 2 * kTurn - 1)
       outcome.last_speed += kPeriod * (trial.arm.kinematics().jacobian.topRows<3>() * trial.arm.dq()).norm();
     if (csv && std::lround(trial.arm.time() / kPeriod) % 10 == 0)
-      csv->row(t, at.offset.y(), at.offset.z(), distance, trial.arm.payload().mass,
-               trial.belief(method).mean[0]);
+      csv->row(t, at.offset.y(), at.offset.z(), distance, trial.arm.payload().mass, trial.belief(method).mean[0]);
     trial.tick();
     if (!attached) {
       before = trial.answers(method);
       detected = trial.published.state().detections;
       continue;
     }
-    const bool noticed = method == Method::Published ? trial.published.state().detections > detected
-                                                     : trial.estimator.state().changing;
+    const bool noticed =
+        method == Method::Published ? trial.published.state().detections > detected : trial.estimator.state().changing;
     if (noticed && !outcome.noticed) outcome.noticed = t;
     if (trial.answers(method) > before && !outcome.found) outcome.found = t;
   }
@@ -211,9 +210,11 @@ int run(Arguments& arguments) {
       "the longest of all trials, 0 if it never was above.\n\n",
       1e3 * kAtRest, 1e3 * kTarget);
   cycle.print();
-  std::printf("Estimates on the moving arm: the latest of all trials; mean absolute error at the end of the turn after.\n\n");
+  std::printf(
+      "Estimates on the moving arm: the latest of all trials; mean absolute error at the end of the turn after.\n\n");
   estimates.print();
-  std::printf("Payloads that the tracker did not find: %d of %llu.\n\n", missed, static_cast<unsigned long long>(number));
+  std::printf("Payloads that the tracker did not find: %d of %llu.\n\n", missed,
+              static_cast<unsigned long long>(number));
   return kept && missed == 0 ? 0 : 1;
 }
 

@@ -5,8 +5,8 @@
 // flange, and 200 ms of samples are collected once the arm has settled, as in the paper. All four solvers then infer
 // from the same numbers: the exact posterior, the Gaussian of full covariance, the diagonal Gaussian, and the published
 // stochastic ELBO; first with a likelihood whose observer is matched and whose offset and friction are marginalised,
-// then with the published one (50 samples, white noise). The last line is the inference as it was published, but for the
-// prior: there is no network here, and the same fixed prior serves all.
+// then with the published one (50 samples, white noise). The last line is the inference as it was published, but for
+// the prior: there is no network here, and the same fixed prior serves all.
 //
 // Printed are the mean absolute error of each parameter, how often its 90 % interval holds the truth, by how much the
 // ELBO falls short of the exact evidence, and the time of one call.
@@ -64,7 +64,8 @@ Exit codes: 0 done; 1 an inference failed, or what --quick checks; 2 unusable ar
 constexpr std::size_t kExact = 0, kFull = 1, kMeanField = 2, kSolvers = 4;  // 3 is stochastic VI
 constexpr const char* kSolverNames[] = {"exact", "full covariance", "mean field", "stochastic VI"};
 constexpr std::size_t kMarginalised = 0, kPublished = 1, kModels = 2;
-constexpr const char* kModelNames[] = {"observer matched, offset and friction marginalised", "the published likelihood"};
+constexpr const char* kModelNames[] = {"observer matched, offset and friction marginalised",
+                                       "the published likelihood"};
 
 struct Options {
   std::size_t events = 1000;
@@ -134,7 +135,8 @@ Data simulate(const Options& options, std::size_t run) {
 
   Data data;
   data.truth << draw.payload.mass, draw.payload.com;
-  require_ok(sums(window, kCollected).likelihood(precision, sensor.after_event(baseline), data.likelihood[kMarginalised]));
+  require_ok(
+      sums(window, kCollected).likelihood(precision, sensor.after_event(baseline), data.likelihood[kMarginalised]));
   const auto oldest_first = [&window](int i) { return observation(window, kCollected - 1 - i, false); };
   require_ok(rme::published_likelihood<double, 7>(kCollected, oldest_first, data.likelihood[kPublished]));
   return data;

@@ -38,9 +38,9 @@ namespace {
 using namespace rme::examples;
 using Eigen::Vector4d;
 
-constexpr double kAttach = 1;    // when the payload comes [s]
-constexpr double kWatched = 2;   // for how long the published pipeline may go on estimating from then on [s]
-constexpr double kEarned = 0.8;  // of the mean square error without the network: a parameter with less has gained
+constexpr double kAttach = 1;     // when the payload comes [s]
+constexpr double kWatched = 2;    // for how long the published pipeline may go on estimating from then on [s]
+constexpr double kEarned = 0.8;   // of the mean square error without the network: a parameter with less has gained
 constexpr double kHarmed = 1.02;  // and one with more has lost
 
 constexpr const char* kUsage =
@@ -105,7 +105,7 @@ using Samples = std::vector<rme::Proprioception<double, 7>>;
 /// One data set: what is true, and what was made of it.
 struct DataSet {
   Vector4d truth;
-  std::optional<Vector4d> guess;  // of the network, unless the window was foreign to it
+  std::optional<Vector4d> guess;                    // of the network, unless the window was foreign to it
   std::optional<Gaussian> with_network, with_zero;  // in the published pipeline; none if it has made no estimate
   std::array<std::array<Gaussian, kInstants.size()>, kSources> tracker;
 };
@@ -135,8 +135,8 @@ std::optional<rme::PayloadPrior<double>> prior_of(const NetworkFile& file, const
   for (std::size_t i = end - count; i < end; ++i) require_ok(window.push(samples[i]));
   Vector4d guess;
   if (!prior.guess(window, count, guess)) return std::nullopt;
-  const Gaussian gaussian = source == kNetworkAcross ? prior(window, count)
-                                                     : Gaussian::independent(guess, Vector4d(0.5, 0.02, 0.02, 0.05));
+  const Gaussian gaussian =
+      source == kNetworkAcross ? prior(window, count) : Gaussian::independent(guess, Vector4d(0.5, 0.02, 0.02, 0.05));
   const Vector4d spread = gaussian.standard_deviation();
   const double rated = rme::EstimatorConfig<double, 7>().rated_payload;
   return rme::PayloadPrior<double>{std::clamp(gaussian.mean[0], 0.0, rated), spread[0], gaussian.mean.tail<3>(),

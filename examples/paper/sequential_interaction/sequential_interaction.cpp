@@ -89,11 +89,11 @@ double distance_to_limit(const SyntheticArm<7>& arm) {
 
 /// What was made of a change, until somebody pushes.
 struct Finding {
-  double truth = 0;               // mass of all that is in the hand [kg]
-  double mass = 0, deviation = 0; // believed before the push comes [kg]
-  std::optional<double> carried;  // from then on, what is believed is within kFound of the truth [s] after the change
-  double position = 0;            // position error kJudged after that [m]
-  double limit = 10;              // least distance of a joint to its limit [rad]
+  double truth = 0;                // mass of all that is in the hand [kg]
+  double mass = 0, deviation = 0;  // believed before the push comes [kg]
+  std::optional<double> carried;   // from then on, what is believed is within kFound of the truth [s] after the change
+  double position = 0;             // position error kJudged after that [m]
+  double limit = 10;               // least distance of a joint to its limit [rad]
 
   void update(const Trial& trial, Method method, double t) {
     const auto& belief = trial.belief(method);

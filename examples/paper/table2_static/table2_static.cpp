@@ -1,11 +1,11 @@
 // table2_static: Table 2 of the paper. An arm holds its pose under CPIC; one of six payloads is attached, ten times
 // each; what do the published pipeline and the tracker say, beside what was published of the real arm?
 //
-// Every trial draws its own pose (0.1 rad around the ready pose), sensor offsets, noise and, if asked for, friction, and
-// is run again for each method, with the compensation of the one that is judged. An arm that has not moved yet does not
-// show whether its torque sensing sees friction: the tracker then allows for it, unless it is told. The published pipeline usually estimates
-// twice, the first time as soon as something changes: both are judged, the tracker by what it says when it calls the
-// event over, and both by what they say two seconds after the attach.
+// Every trial draws its own pose (0.1 rad around the ready pose), sensor offsets, noise and, if asked for, friction,
+// and is run again for each method, with the compensation of the one that is judged. An arm that has not moved yet does
+// not show whether its torque sensing sees friction: the tracker then allows for it, unless it is told. The published
+// pipeline usually estimates twice, the first time as soon as something changes: both are judged, the tracker by what
+// it says when it calls the event over, and both by what they say two seconds after the attach.
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -104,7 +104,8 @@ int run(Arguments& arguments) {
   constexpr std::array<Method, 3> methods = {Method::Published, Method::Tracker, Method::TrackerTold};
   CsvFile csv(setup.output, "trials.csv",
               "method,m,rx,ry,rz,trial,m_error,x_error,y_error,z_error,m_std,x_std,y_std,z_std,after");
-  MarkdownTable table({"payload [kg; mm]", "published mean ± std. dev. of 10", "published pipeline", "tracker", "tracker told of the sensing"});
+  MarkdownTable table({"payload [kg; mm]", "published mean ± std. dev. of 10", "published pipeline", "tracker",
+                       "tracker told of the sensing"});
   Vector4d as_published = Vector4d::Zero();
   std::array<Errors, 3> first, settled;
   std::array<std::size_t, 3> missed{};
@@ -135,12 +136,14 @@ int run(Arguments& arguments) {
       settled[i].add(at_end[i]);
     }
     table.row({text("%.3f; %.0f, %.0f, %.0f", truth[0], 1e3 * truth[1], 1e3 * truth[2], 1e3 * truth[3]),
-               cell(payload.mean, payload.deviation), cell(truth, at_end[0]), cell(truth, at_end[1]), cell(truth, at_end[2])});
+               cell(payload.mean, payload.deviation), cell(truth, at_end[0]), cell(truth, at_end[1]),
+               cell(truth, at_end[2])});
     as_published += (payload.mean - truth).cwiseAbs() / 6;
   }
 
   std::printf(
-      "%s, %zu trials of each payload, seed %llu; mass, then centre of mass x, y, z in flange axes. The last three columns\n"
+      "%s, %zu trials of each payload, seed %llu; mass, then centre of mass x, y, z in flange axes. The last three "
+      "columns\n"
       "%.0f s after the attach.\n\n",
       setup.name().c_str(), trials, static_cast<unsigned long long>(setup.seed), kJudged);
   table.print();

@@ -154,12 +154,14 @@ int run(Arguments& arguments) {
   print(text("published pipeline, last estimate in %.0f s", kPatience).c_str(), means(errors.last));
   print("tracker, since the attach", means(errors.tracker));
   print("tracker told of the sensing", means(errors.told));
-  std::printf("Estimates of the pipeline: %zu, %zu, %zu, %zu of %zu payloads. The tracker knew of %zu of them after %.0f ms.\n",
-              errors.first[0].count, errors.first[1].count, errors.first[2].count, errors.first[3].count, sets,
-              errors.known, 1e3 * kIntervals[3]);
+  std::printf(
+      "Estimates of the pipeline: %zu, %zu, %zu, %zu of %zu payloads. The tracker knew of %zu of them after %.0f ms.\n",
+      errors.first[0].count, errors.first[1].count, errors.first[2].count, errors.first[3].count, sets, errors.known,
+      1e3 * kIntervals[3]);
   const Vector4d ratio = kPublished[2].cwiseQuotient(errors.told[2].mean());
-  std::printf("At 200 ms the published errors are %.0f, %.0f, %.0f and %.1f times those of the last table (mass, x, y, z).\n\n",
-              ratio[0], ratio[1], ratio[2], ratio[3]);
+  std::printf(
+      "At 200 ms the published errors are %.0f, %.0f, %.0f and %.1f times those of the last table (mass, x, y, z).\n\n",
+      ratio[0], ratio[1], ratio[2], ratio[3]);
   const bool small = setup.friction || (ratio.head<3>().minCoeff() >= 5 && ratio[3] >= 2);
   return errors.known == sets && small ? 0 : 1;
 }
