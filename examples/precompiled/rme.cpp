@@ -13,22 +13,13 @@ template class SampleWindow<double, 7>;
 template class MismatchDetector<7>;
 template struct SensorModel<double, 7>;
 template class PayloadStatistics<double, 7>;
-template class WindowStatistics<double, 7>;
 template Status exact_posterior(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
                                 ExactPosterior<double>&) noexcept;
 template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
                       const VariationalInferenceConfig&, const Vector4<double>*) noexcept;
 template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
                       const MeanFieldConfig&) noexcept;
-template class EventInference<double, 7>;
-template class EventSamples<double, 7>;
-template class MismatchNetwork<double>;
-template class MismatchNetwork<float>;
-template class NetworkPrior<double>;
-template PayloadGaussian<double> NetworkPrior<double>::operator()(const SampleWindow<double, 7>&,
-                                                                  std::size_t) const noexcept;
 template class Estimator<double, 7>;
-template class EventEstimator<double, 7>;
 template class PassiveController<double>;
 template class JointLimits<double, 7>;
 template class Cpic<double, 7, 8>;

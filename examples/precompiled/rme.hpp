@@ -6,11 +6,15 @@
 #include <rme/control/cpic.hpp>
 #include <rme/control/passive_controller.hpp>
 #include <rme/estimator.hpp>
-#include <rme/event_estimator.hpp>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/mean_field.hpp>
+#include <rme/inference/payload_statistics.hpp>
+#include <rme/inference/sensor_model.hpp>
 #include <rme/network/mismatch_network.hpp>
 #include <rme/network/network_prior.hpp>
+#include <rme/published/published_pipeline.hpp>
+#include <rme/sensing/mismatch_detector.hpp>
+#include <rme/sensing/sample_window.hpp>
 
 namespace rme {
 
@@ -26,22 +30,19 @@ extern template class SampleWindow<double, 7>;
 extern template class MismatchDetector<7>;
 extern template struct SensorModel<double, 7>;
 extern template class PayloadStatistics<double, 7>;
-extern template class WindowStatistics<double, 7>;
 extern template Status exact_posterior(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
                                        ExactPosterior<double>&) noexcept;
 extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
                              const VariationalInferenceConfig&, const Vector4<double>*) noexcept;
 extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
                              const MeanFieldConfig&) noexcept;
-extern template class EventInference<double, 7>;
-extern template class EventSamples<double, 7>;
 extern template class MismatchNetwork<double>;
 extern template class MismatchNetwork<float>;
 extern template class NetworkPrior<double>;
 extern template PayloadGaussian<double> NetworkPrior<double>::operator()(const SampleWindow<double, 7>&,
                                                                          std::size_t) const noexcept;
 extern template class Estimator<double, 7>;
-extern template class EventEstimator<double, 7>;
+extern template class PublishedPipeline<double, 7>;
 extern template class PassiveController<double>;
 extern template class JointLimits<double, 7>;
 extern template class Cpic<double, 7, 8>;

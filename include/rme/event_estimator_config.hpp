@@ -5,7 +5,7 @@
 #include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/types.hpp>
-#include <rme/inference/event_evidence.hpp>
+#include <rme/inference/evidence.hpp>
 #include <rme/inference/sensor_model.hpp>
 #include <rme/inference/variational_inference.hpp>
 #include <rme/sensing/mismatch_detector.hpp>

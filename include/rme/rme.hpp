@@ -32,8 +32,8 @@
 #include <rme/event_estimator.hpp>
 #include <rme/event_estimator_config.hpp>
 #include <rme/event_samples.hpp>
-#include <rme/inference/event_evidence.hpp>
 #include <rme/inference/event_inference.hpp>
+#include <rme/inference/evidence.hpp>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/fixed_prior.hpp>
 #include <rme/inference/inference_result.hpp>

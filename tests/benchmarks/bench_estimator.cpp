@@ -1,14 +1,14 @@
-// What does a host's tick cost? A simulated Panda holds random poses while random payloads come and go; each tick feeds
-// the estimator and asks for the compensation torque, timed as one. The tick that estimates is the whole chain: from
-// the window's last sample to payload, covariance and torque.
+// What does a host's tick cost? A simulated Panda rests, gets a payload, carries it about, is pushed and loses it
+// again, in random poses; each tick feeds the estimator and asks for the compensation torque, timed as one. What a
+// block of 20 ticks needs is spread over the ticks after it, which is why they are told apart by how long ago the last
+// block was done.
+#include <array>
 #include <cstdio>
 #include <random>
-#include <rme/event_estimator.hpp>
-#include <rme/network/network_prior.hpp>
+#include <rme/estimator.hpp>
 #include <string>
 #include <vector>
 
-#include "benchmarks/shipped_network.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "support/held_arm.hpp"
 
@@ -17,26 +17,19 @@ namespace {
 using namespace rme;
 using testing::HeldArm;
 
-/// A network's prior that says how often the network was asked.
-template <typename NetworkScalar>
-struct CountingPrior {
-  PayloadGaussian<double> operator()(const SampleWindow<double, 7>& window, std::size_t count) const noexcept {
-    const auto gaussian = prior(window, count);
-    *asked += gaussian.mean[0] != FixedPrior<double>().gaussian.mean[0];
-    return gaussian;
-  }
-  NetworkPrior<double, PublishedArchitecture, NetworkScalar> prior;
-  std::size_t* asked;
-};
+/// What goes on meanwhile.
+enum Situation : std::size_t { kEmpty, kChange, kHeld, kMoving, kPushed, kSituations };
+constexpr std::array<const char*, kSituations> kNames = {"empty hand at rest", "0.2 s after an attach or removal",
+                                                         "payload at rest", "payload in motion", "pushed"};
+constexpr std::size_t kPhases = 20;  // ticks from block to block
 
 struct Times {
-  std::vector<double> watching, collecting, early, final;
-  std::size_t asked = 0;  // networks, in ticks that made a final estimate
+  std::array<std::vector<double>, kPhases> phase;
+  std::vector<double> mean;  // over blocks
 };
 
-/// One payload in one pose: a second at rest, the payload comes, is estimated, and is carried for a while.
-template <typename Prior>
-void live(std::mt19937_64& random, const Prior& prior, const std::size_t& asked, Times& times) {
+/// One payload in one pose.
+void live(std::mt19937_64& random, std::array<Times, kSituations>& times) {
   std::uniform_real_distribution<double> u(-1, 1);
   HeldArm arm(random());
   HeldArm::Vector pose = arm.pose();
@@ -44,12 +37,22 @@ void live(std::mt19937_64& random, const Prior& prior, const std::size_t& asked,
   arm.move(pose, HeldArm::kPeriod);
   (void)arm.tick();
   const Payload<double> payload = {1.1 + 0.7 * u(random), {0.05 * u(random), 0.05 * u(random), 0.1 + 0.08 * u(random)}};
-  EventEstimator<double, 7, Prior> estimator(HeldArm::kPeriod, {}, prior);
-  for (int tick = 0; tick < 2200; ++tick) {
+  Estimator<double, 7> estimator(HeldArm::kPeriod);
+  std::size_t phase = 0;
+  double updated = 0, sum = 0;
+  for (int tick = 0; tick < 5000; ++tick) {
     if (tick == 1000) arm.hold(payload);
+    if (tick == 2000) arm.move(pose + 0.3 * HeldArm::Vector::Ones(), 1.5);
+    if (tick == 3600) arm.push({{10 * u(random), 10 * u(random), 5}, Vector3<double>::Zero()});
+    if (tick == 4000) arm.push({});
+    if (tick == 4500) arm.hold({});
+    const Situation now = tick < 1000                                    ? kEmpty
+                          : tick < 1200 || (tick >= 4500 && tick < 4700) ? kChange
+                          : tick >= 4700                                 ? kEmpty
+                          : tick >= 3600 && tick < 4100                  ? kPushed
+                          : arm.moving()                                 ? kMoving
+                                                                         : kHeld;
     const auto& sample = arm.tick();
-    const Phase before = estimator.phase();
-    const std::size_t asked_before = asked;
     Status status;
     HeldArm::Vector torque;
     const double time = benchmarks::time_of([&] {
@@ -58,49 +61,41 @@ void live(std::mt19937_64& random, const Prior& prior, const std::size_t& asked,
     });
     benchmarks::keep(torque);
     if (status != Status::Ok) continue;
-    if (estimator.estimated()) {
-      times.final.push_back(time);
-      times.asked += asked - asked_before;
-    } else if (estimator.refreshed()) {
-      times.early.push_back(time);
-    } else if (before == Phase::Collecting && estimator.phase() == Phase::Collecting) {
-      times.collecting.push_back(time);
-    } else if (before != Phase::Collecting && estimator.phase() != Phase::Collecting) {
-      times.watching.push_back(time);
+    if (estimator.state().updated > updated) {
+      updated = estimator.state().updated;
+      if (tick > 100 && phase + 1 == kPhases) times[now].mean.push_back((sum + time) / kPhases);
+      phase = 0;
+      sum = 0;
+    } else {
+      phase = std::min(phase + 1, kPhases - 1);
+      sum += time;
     }
+    if (tick > 100) times[now].phase[phase].push_back(time);
   }
-}
-
-/// @param which  what the rows' names end with
-template <typename Prior>
-void report(const std::string& which, const Prior& prior, const std::size_t& asked, int events) {
-  std::mt19937_64 random(401);
-  Times times;
-  for (int k = 0; k < events; ++k) {
-    live(random, prior, asked, times);
-    benchmarks::rest();
-  }
-  benchmarks::print_head(("Estimator, " + which).c_str());
-  benchmarks::print_row("tick while watching, " + which, times.watching);
-  benchmarks::print_row("tick while collecting, " + which, times.collecting);
-  benchmarks::print_row("tick with an early estimate, " + which, times.early);
-  benchmarks::print_row("tick with the final estimate, " + which, times.final);
-  std::printf("\nseed 401, %d events; the network was asked in %zu of %zu final estimates\n", events, times.asked,
-              times.final.size());
-}
-
-template <typename NetworkScalar>
-void report_network(const std::string& which, int events) {
-  const auto network = benchmarks::shipped_network<NetworkScalar>();
-  std::size_t asked = 0;
-  report(which, CountingPrior<NetworkScalar>{{*network, HeldArm::kPeriod}, &asked}, asked, events);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int events = benchmarks::quick(argc, argv) ? 5 : 5000;
-  report_network<float>("network in float", events);
-  report_network<double>("network in double", events);
-  report("no network", FixedPrior<double>(), std::size_t(0), events);
+  const int events = benchmarks::quick(argc, argv) ? 2 : 400;
+  std::mt19937_64 random(401);
+  std::array<Times, kSituations> times;
+  for (int k = 0; k < events; ++k) {
+    live(random, times);
+    benchmarks::rest();
+  }
+  benchmarks::print_head("Estimator, 7 joints, double: update() and compensation()");
+  for (std::size_t s = 0; s < kSituations; ++s) {
+    const std::string name = kNames[s];
+    std::size_t dearest = 0, cheapest = 0;
+    for (std::size_t phase = 0; phase < kPhases; ++phase) {
+      const double median = benchmarks::percentile(times[s].phase[phase], 0.5);
+      if (median > benchmarks::percentile(times[s].phase[dearest], 0.5)) dearest = phase;
+      if (median < benchmarks::percentile(times[s].phase[cheapest], 0.5)) cheapest = phase;
+    }
+    benchmarks::print_row("tick, mean over a block: " + name, times[s].mean);
+    benchmarks::print_row("cheapest kind of tick: " + name, times[s].phase[cheapest]);
+    benchmarks::print_row("dearest kind of tick: " + name, times[s].phase[dearest]);
+  }
+  std::printf("\nseed 401, %d arms\n", events);
 }

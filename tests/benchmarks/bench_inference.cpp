@@ -1,15 +1,13 @@
-// How long do the estimator's parts take? One thread, seven joints, double, random events.
+// How long do the building blocks take? One thread, seven joints, double, random events.
 #include <cstddef>
 #include <cstdio>
 #include <random>
-#include <rme/inference/event_inference.hpp>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/mean_field.hpp>
 #include <rme/inference/published_likelihood.hpp>
 #include <rme/inference/stochastic_vi.hpp>
-#include <rme/inference/window_statistics.hpp>
+#include <rme/inference/variational_inference.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
-#include <rme/sensing/onset.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
 #include <rme/sensing/sample_window.hpp>
 #include <vector>
@@ -67,22 +65,12 @@ int main(int argc, char** argv) {
     (void)pseudo_wrench(tick(i).jacobian, tick(i).tau_ext, 0.01, wrench);
     benchmarks::keep(wrench);
   });
-  benchmarks::measure("find_onset, among 600 samples", runs / 10, 1,
-                      [&](std::size_t) { benchmarks::keep(find_onset(past, 600, 10)); });
 
   benchmarks::print_head("Inference, 7 joints, double");
   PayloadStatistics<double, kDofs> sums;
   benchmarks::measure("PayloadStatistics::add, per tick", runs, 20, [&](std::size_t i) {
     sums.add(events[0].samples[i % events[0].samples.size()]);
     benchmarks::keep(sums);
-  });
-  WindowStatistics<double, kDofs> window(40);
-  benchmarks::measure("WindowStatistics::add, per tick", runs, 40, [&](std::size_t i) {
-    window.add(events[0].samples[i % events[0].samples.size()]);
-    benchmarks::keep(window);
-  });
-  benchmarks::measure("WindowStatistics::about", runs, 1, [&](std::size_t i) {
-    benchmarks::keep(window.about(Vector3<double>(0, 0, 1e-5 * static_cast<double>(i))));
   });
   benchmarks::measure("payload_regressor with motion, per tick", runs, 20, [&](std::size_t i) {
     motion.angular_velocity[0] = 1e-3 * static_cast<double>(i % 100);
@@ -108,13 +96,6 @@ int main(int argc, char** argv) {
     (void)e.statistics.likelihood(e.precision, e.nuisance, likelihood);
     (void)infer(likelihood, prior, result);
     benchmarks::keep(result);
-  });
-  const EventInference<double, kDofs> inference(
-      1e-3, {SensorModel<double, kDofs>::link_side(), SensorModel<double, kDofs>::joint_friction()}, {}, {});
-  benchmarks::measure("EventInference::posterior, two sensor models", runs, 1,
-                      [&](std::size_t i) { benchmarks::keep(inference.posterior(event(i).statistics, prior)); });
-  benchmarks::measure("EventInference::judge, two sensor models", runs, 1, [&](std::size_t i) {
-    benchmarks::keep(inference.judge(event(i).statistics, prior, {}, pose.jacobian));
   });
   benchmarks::measure("infer: mean field, from the likelihood", runs, 1, [&](std::size_t i) {
     InferenceResult<double> result;

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <rme/control/compensation.hpp>
 #include <rme/estimator.hpp>
-#include <rme/event_estimator.hpp>
 
 namespace {
 
@@ -43,28 +42,11 @@ class Bytes {
 };
 
 template <typename Scalar>
-using EventEstimator = rme::EventEstimator<Scalar, 6>;
-template <typename Scalar>
 using Estimator = rme::Estimator<Scalar, 6>;
-
-template <typename Scalar>
-EventEstimator<Scalar> make(rme::EventEstimator<Scalar, 6>*) {
-  rme::EventEstimatorConfig<Scalar, 6> config;
-  config.refresh = 0.05;  // not at every tick, which would take most of the time
-  return EventEstimator<Scalar>(kPeriod, config);
-}
-template <typename Scalar>
-Estimator<Scalar> make(rme::Estimator<Scalar, 6>*) {
-  return Estimator<Scalar>(kPeriod);
-}
 
 /// What else a host may call.
 template <typename Scalar>
-void call(rme::EventEstimator<Scalar, 6>& estimator, std::uint8_t, double number) {
-  estimator.tare(number);
-}
-template <typename Scalar>
-void call(rme::Estimator<Scalar, 6>& estimator, std::uint8_t which, double number) {
+void call(Estimator<Scalar>& estimator, std::uint8_t which, double number) {
   if (which % 4 == 0) estimator.declare_empty();
   if (which % 4 == 1) estimator.inhibit(true);
   if (which % 4 == 2) estimator.inhibit(false);
@@ -75,15 +57,6 @@ void call(rme::Estimator<Scalar, 6>& estimator, std::uint8_t which, double numbe
   (void)estimator.set_payload(payload);
 }
 
-template <typename Scalar>
-void check_same(const EventEstimator<Scalar>& estimator, const EventEstimator<Scalar>& twin) {
-  const rme::Estimate<Scalar>&a = estimator.estimate(), &b = twin.estimate();
-  check(a.posterior.mean.allFinite() && a.posterior.covariance.allFinite() && std::isfinite(a.confidence));
-  check((a.posterior.covariance.diagonal().array() >= 0).all());
-  check(a.posterior.mean == b.posterior.mean && a.posterior.covariance == b.posterior.covariance);
-  check(a.empty == b.empty && a.final == b.final && estimator.phase() == twin.phase());
-  check(std::isfinite(estimator.verdict().log_odds()) && std::isfinite(estimator.verdict().excess));
-}
 template <typename Scalar>
 void check_same(const Estimator<Scalar>& estimator, const Estimator<Scalar>& twin) {
   const rme::EstimatorState<Scalar>&a = estimator.state(), &b = twin.state();
@@ -103,7 +76,7 @@ void check_same(const Estimator<Scalar>& estimator, const Estimator<Scalar>& twi
   check(a.event.number == b.event.number && a.event.kind == b.event.kind && a.changing == b.changing);
 }
 
-template <typename Scalar, template <typename> class Kind>
+template <typename Scalar>
 class Host {
  public:
   using Tick = rme::Proprioception<Scalar, 6>;
@@ -224,7 +197,7 @@ class Host {
   int frozen_left_ = 0;
   static constexpr int kMostTicks = 600;  // two or three events
   int fed_ = 0;
-  Kind<Scalar> estimator_ = make(static_cast<Kind<Scalar>*>(nullptr)), twin_ = estimator_;
+  Estimator<Scalar> estimator_{kPeriod}, twin_ = estimator_;
   rme::CompensationRamp<Scalar, 6> ramp_{Scalar(kPeriod)};
 };
 
@@ -232,18 +205,9 @@ class Host {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
-  switch (bytes.byte() % 4) {
-    case 0:
-      Host<double, Estimator>().run(bytes);
-      break;
-    case 1:
-      Host<float, Estimator>().run(bytes);
-      break;
-    case 2:
-      Host<double, EventEstimator>().run(bytes);
-      break;
-    default:
-      Host<float, EventEstimator>().run(bytes);
-  }
+  if (bytes.byte() % 2 == 0)
+    Host<double>().run(bytes);
+  else
+    Host<float>().run(bytes);
   return 0;
 }

@@ -18,7 +18,6 @@ struct Loop {
   using Matrix3 = rme::Matrix3<Scalar>;
   using Tick = rme::Proprioception<Scalar, Dofs>;
   using Payload = rme::Payload<Scalar>;
-  using Kept = rme::Sample<Scalar, Dofs>;
 
   // core
   static_assert(noexcept(rme::payload_wrench(a<Payload>(), a<Matrix3>(), a<Vector3>())));
@@ -35,24 +34,7 @@ struct Loop {
   static_assert(noexcept(my<Tracking>().inhibit(true)) && noexcept(my<Tracking>().reset()));
   static_assert(noexcept(a<Tracking>().config()) && noexcept(a<rme::EstimatorState<Scalar>>().empty()));
   using Prior = rme::NetworkPrior<Scalar>;
-  using Estimator = rme::EventEstimator<Scalar, Dofs, Prior>;
-  static_assert(noexcept(my<Estimator>().update(a<Tick>())));
-  static_assert(noexcept(my<Estimator>().trigger()) && noexcept(my<Estimator>().tare(1.0)));
-  static_assert(noexcept(my<Estimator>().reset()));
-  static_assert(noexcept(a<Estimator>().compensation(a<Jacobian>(), a<Matrix3>())));
-  static_assert(noexcept(a<Estimator>().phase()) && noexcept(a<Estimator>().estimate()));
-  static_assert(noexcept(a<Estimator>().estimated()) && noexcept(a<Estimator>().refreshed()));
-  static_assert(noexcept(a<Estimator>().rejected()) && noexcept(a<Estimator>().verdict()));
-  static_assert(noexcept(a<Estimator>().time()) && noexcept(a<Estimator>().detected_at()));
-  static_assert(noexcept(a<Estimator>().detector()) && noexcept(a<Estimator>().config()));
-  static_assert(noexcept(a<rme::Estimate<Scalar>>().payload()));
-  using Event = rme::EventSamples<Scalar, Dofs>;
   using Window = rme::SampleWindow<Scalar, Dofs>;
-  static_assert(noexcept(my<Event>().add(a<Kept>(), 1)) && noexcept(my<Event>().add_settled(a<Kept>(), 1)));
-  static_assert(noexcept(my<Event>().locate(a<Window>(), 1, 1)) && noexcept(my<Event>().clear()));
-  static_assert(noexcept(my<Event>().forget_onset()) && noexcept(a<Event>().about(a<Vector3>())));
-  static_assert(noexcept(a<Event>().sums(a<Window>(), 0, 1)) && noexcept(a<Event>().quiet_sums(a<Window>(), 0, 1)));
-  static_assert(noexcept(a<Event>().regressor(a<Kept>())));
 
   // tracking
   using Block = rme::TorqueBlock<Scalar, Dofs>;
@@ -90,9 +72,6 @@ struct Loop {
   static_assert(noexcept(my<Observer>().reset()) && noexcept(a<Observer>().tau_ext()));
   static_assert(noexcept(rme::pseudo_wrench(a<Jacobian>(), a<Vector>(), Scalar(1), my<rme::Wrench<Scalar>>())));
   static_assert(noexcept(rme::in_end_effector_axes(a<rme::Wrench<Scalar>>(), a<Matrix3>())));
-  static_assert(noexcept(rme::find_onset(a<Window>(), 1, 1)) && noexcept(rme::unrest(a<Window>(), 1)));
-  static_assert(noexcept(my<rme::Unrest<Scalar, Dofs>>().add(a<Vector>())));
-  static_assert(noexcept(a<rme::Unrest<Scalar, Dofs>>().value()));
 
   // network
   using Network = rme::MismatchNetwork<Scalar>;
@@ -108,8 +87,6 @@ struct Loop {
   using Statistics = rme::PayloadStatistics<Scalar, Dofs>;
   using Nuisance = rme::NuisanceGaussian<Scalar, Dofs>;
   using Observation = rme::PayloadObservation<Scalar, Dofs>;
-  using Sums = rme::WindowStatistics<Scalar, Dofs>;
-  using Inference = rme::EventInference<Scalar, Dofs>;
   using Sensor = rme::SensorModel<Scalar, Dofs>;
   static_assert(noexcept(rme::payload_regressor<Scalar, Dofs>(a<Jacobian>(), a<Matrix3>(), a<Vector3>(),
                                                               a<rme::FlangeMotion<Scalar>>(), Scalar(0))));
@@ -117,8 +94,6 @@ struct Loop {
   static_assert(noexcept(a<Statistics>().marginals(a<Vector>(), a<Nuisance>(), my<typename Statistics::Marginals>())));
   static_assert(noexcept(a<Statistics>().likelihood(a<Vector>(), a<Nuisance>(), my<Likelihood>())));
   static_assert(noexcept(a<Statistics>().nuisance_posterior(a<Vector>(), a<Nuisance>(), my<Nuisance>())));
-  static_assert(noexcept(my<Sums>().add(a<Observation>())) && noexcept(my<Sums>().clear()));
-  static_assert(noexcept(a<Sums>().about(a<Vector3>())));
   static_assert(noexcept(rme::infer(a<Likelihood>(), a<Gaussian>(), my<Result>())));
   static_assert(noexcept(rme::infer(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::MeanFieldConfig())));
   static_assert(noexcept(rme::infer(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::ExactQuadrature())));
@@ -127,13 +102,6 @@ struct Loop {
   static_assert(noexcept(rme::payload_log_evidence(a<Likelihood>(), a<Payload>())));
   static_assert(noexcept(rme::push_log_evidence<Scalar, Dofs>(a<typename Statistics::Marginals>(), a<Payload>(),
                                                               a<Jacobian>(), a<rme::PushPrior>(), my<Scalar>())));
-  static_assert(noexcept(a<Inference>().posterior(a<Statistics>(), a<Gaussian>())));
-  static_assert(noexcept(a<Inference>().judge(a<Statistics>(), a<Statistics>(), a<Gaussian>(), a<Payload>(),
-                                              a<Jacobian>(), my<rme::ModelAverage<Scalar>>())));
-  static_assert(noexcept(my<Inference>().learn_baseline(a<Statistics>())));
-  static_assert(noexcept(my<Inference>().forget_baseline()));
-  static_assert(noexcept(my<rme::ModelAverage<Scalar>>().add(a<Gaussian>(), Scalar(0))));
-  static_assert(noexcept(a<rme::ModelAverage<Scalar>>().moments()));
   static_assert(noexcept(a<Sensor>().precision(Scalar(1))) && noexcept(a<Sensor>().after_event(a<Nuisance>())));
 
   // control

@@ -2,7 +2,6 @@
 #include <functional>
 #include <limits>
 #include <rme/estimator.hpp>
-#include <rme/event_estimator.hpp>
 #include <string>
 #include <vector>
 
@@ -23,20 +22,6 @@ const rme::Payload<double> kObject = {1.1, {0.05, 0.02, 0.13}};
 
 /// All that an estimator says: numbers that have to be finite.
 template <typename Scalar>
-Eigen::VectorXd answers(const rme::EventEstimator<Scalar, 7>& estimator, const rme::Proprioception<Scalar, 7>& at) {
-  const rme::Estimate<Scalar>& estimate = estimator.estimate();
-  const rme::Verdict<Scalar>& verdict = estimator.verdict();
-  Eigen::Matrix<double, 41, 1> all;
-  all << estimate.posterior.mean.template cast<double>(),
-      Eigen::Map<const Eigen::Matrix<Scalar, 16, 1>>(estimate.posterior.covariance.data()).template cast<double>(),
-      estimator.compensation(at.jacobian, at.rotation).template cast<double>(), double(estimate.confidence),
-      estimate.detected_at, estimate.window_begin, estimate.window_end, double(estimate.empty), double(estimate.final),
-      double(verdict.payload), double(verdict.empty), double(verdict.unchanged), double(verdict.push),
-      double(verdict.excess), estimator.time(), double(estimator.phase()), double(estimator.rejected());
-  return all;
-}
-
-template <typename Scalar>
 Eigen::VectorXd answers(const rme::Estimator<Scalar, 7>& estimator, const rme::Proprioception<Scalar, 7>& at) {
   const rme::EstimatorState<Scalar>& state = estimator.state();
   Eigen::Matrix<double, 155, 1> all;
@@ -52,29 +37,13 @@ Eigen::VectorXd answers(const rme::Estimator<Scalar, 7>& estimator, const rme::P
   return all;
 }
 
-template <typename Scalar>
-double mass_of(const rme::EventEstimator<Scalar, 7>& estimator) {
-  return double(estimator.estimate().payload().mass);
-}
-template <typename Scalar>
-double mass_of(const rme::Estimator<Scalar, 7>& estimator) {
-  return double(estimator.state().payload.mean[0]);
-}
-bool has_answered(const rme::EventEstimator<double, 7>& estimator) {
-  return estimator.estimated();
-}
-bool has_answered(const rme::Estimator<double, 7>& estimator) {
-  return estimator.state().event.over == estimator.state().time;
-}
-
-TEMPLATE_TEST_CASE("Estimators: a refused tick might as well not have been, whatever is going on", "[robustness]",
-                   (rme::EventEstimator<double, 7>), (rme::Estimator<double, 7>)) {
+TEST_CASE("Estimator: a refused tick might as well not have been, whatever is going on", "[robustness]") {
   const unsigned seed = 20;
   CAPTURE(seed);
   Random random(seed);
   HeldArm arm(seed);
-  TestType estimator(HeldArm::kPeriod), twin(HeldArm::kPeriod);
-  int refused = 0, accepted = 0, estimates = 0;
+  rme::Estimator<double, 7> estimator(HeldArm::kPeriod), twin(HeldArm::kPeriod);
+  int refused = 0, accepted = 0;
   for (int k = 0; k < 12000; ++k) {
     CAPTURE(k);
     if (k % 3000 == 1000) arm.hold(kObject);
@@ -104,19 +73,18 @@ TEMPLATE_TEST_CASE("Estimators: a refused tick might as well not have been, what
     REQUIRE(twin.update(good) == Status::Ok);
     REQUIRE(answers(estimator, good).allFinite());
     REQUIRE(answers(estimator, good) == answers(twin, good));
-    estimates += has_answered(estimator);
   }
   CHECK(refused > 500);
   CHECK(accepted > 100);
-  CHECK(estimates > 2);
+  CHECK(estimator.state().event.number > 2);
 }
 
-TEMPLATE_TEST_CASE("Estimators: before the first sample, and for a pose that is none, the compensation is a number",
-                   "[robustness]", (rme::EventEstimator<double, 7>), (rme::Estimator<double, 7>)) {
+TEST_CASE("Estimator: before the first sample, and for a pose that is none, the compensation is a number",
+          "[robustness]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   HeldArm arm(21);
   const Tick first = arm.tick();
-  TestType estimator(HeldArm::kPeriod);
+  rme::Estimator<double, 7> estimator(HeldArm::kPeriod);
   const rme::Jacobian<double, 7> bad = rme::Jacobian<double, 7>::Constant(nan);
   CHECK(estimator.compensation(bad, first.rotation) == Torque::Zero());
   // The first sample has no predecessor: nothing of it may last that a later one cannot undo.
@@ -132,24 +100,6 @@ TEMPLATE_TEST_CASE("Estimators: before the first sample, and for a pose that is 
   CHECK(estimator.compensation(bad, first.rotation) == carried);
   CHECK(estimator.compensation(first.jacobian, nan * first.rotation) == carried);
   CHECK(estimator.compensation(1e300 * first.jacobian, first.rotation) == carried);
-}
-
-TEST_CASE("EventEstimator: tare() over a time that is none says nothing, over eternity what the window holds",
-          "[robustness]") {
-  HeldArm arm(22);
-  using Estimator = rme::EventEstimator<double, 7>;
-  Estimator never(HeldArm::kPeriod), tared(HeldArm::kPeriod), whole(HeldArm::kPeriod);
-  for (int k = 0; k < 3000; ++k) {
-    if (k == 2000) {
-      for (const double none : {0.0, -1.0, std::nan(""), 1e-9}) tared.tare(none);
-      whole.tare(std::numeric_limits<double>::infinity());
-      arm.hold(kObject);
-    }
-    const Tick& tick = arm.tick();
-    for (Estimator* estimator : {&never, &tared, &whole}) REQUIRE(estimator->update(tick) == Status::Ok);
-    REQUIRE(answers(tared, tick) == answers(never, tick));
-  }
-  CHECK(whole.estimate().payload().mass == Approx(kObject.mass).margin(0.03));
 }
 
 /// What becomes of a good tick while a fault lasts; nothing if the tick is lost.
@@ -192,11 +142,11 @@ const std::vector<Fault>& faults() {
 /// The fault sets in at a random instant of an event's life; then, with the hand empty and the arm left alone for three
 /// seconds, an object comes.
 /// @return the error of the mass [kg]
-template <typename Estimator, typename Scalar>
+template <typename Scalar>
 double mass_error_after(const Fault& fault, unsigned seed) {
   Random random(seed);
   HeldArm arm(seed);
-  Estimator estimator{HeldArm::kPeriod};
+  rme::Estimator<Scalar, 7> estimator(HeldArm::kPeriod);
   rme::CompensationRamp<Scalar, 7> ramp{Scalar(HeldArm::kPeriod)};
   const int begin = 900 + static_cast<int>(below(random, 2000));
   rme::JointVector<Scalar, 7> commanded = ramp.torque();
@@ -220,19 +170,18 @@ double mass_error_after(const Fault& fault, unsigned seed) {
     REQUIRE((ramp.torque() - commanded).cwiseAbs().maxCoeff() <= Scalar(0.5001));
     commanded = ramp.torque();
   }
-  return std::abs(mass_of(estimator) - kObject.mass);
+  return std::abs(static_cast<double>(estimator.state().payload.mean[0]) - kObject.mass);
 }
 
-TEMPLATE_TEST_CASE("Estimators: whatever the fault, three quiet seconds later an object weighs what it weighs",
+TEMPLATE_TEST_CASE("Estimator: whatever the fault, three quiet seconds later an object weighs what it weighs",
                    "[robustness]", float, double) {
   for (const Fault& fault : faults()) {
     for (unsigned seed = 30; seed < 33; ++seed) {
       CAPTURE(fault.what, seed);
-      CHECK(mass_error_after<rme::EventEstimator<TestType, 7>, TestType>(fault, seed) < 0.05);
       // Without a Jacobian a weight can only be an offset, and what is right again afterwards looks like a push for
-      // ever: a host has to reset() the tracker then.
+      // ever: a host has to reset() the estimator then.
       if (fault.what == "Jacobian of zeros") continue;
-      CHECK(mass_error_after<rme::Estimator<TestType, 7>, TestType>(fault, seed) < 0.05);
+      CHECK(mass_error_after<TestType>(fault, seed) < 0.05);
     }
   }
 }

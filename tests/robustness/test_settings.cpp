@@ -2,7 +2,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <rme/event_estimator_json.hpp>
 #include <rme/rme.hpp>
 #include <string>
 #include <vector>
@@ -25,94 +24,7 @@ struct Leaf {
   std::function<void(double)> set;
 };
 
-/// All numbers of a configuration, nested structs and vectors included, as its JSON form knows them.
-template <typename Config>
-void collect_leaves(Config& config, std::vector<Leaf>& leaves) {
-  rme::detail::visit_fields(
-      config,
-      [&leaves](const char* name, auto& field) {
-        using Field = std::decay_t<decltype(field)>;
-        if constexpr (std::is_same_v<Field, bool>) {
-          // Neither value is out of range.
-        } else if constexpr (std::is_arithmetic_v<Field> || std::is_same_v<Field, rme::TorqueSign>) {
-          leaves.push_back({name, [&field](double x) {
-                              // An integer has no NaN; zero stands for whatever it must not be.
-                              if constexpr (std::is_floating_point_v<Field>)
-                                field = static_cast<Field>(x);
-                              else
-                                field = static_cast<Field>(std::abs(x) < 1e9 ? static_cast<int>(x) : 0);
-                            }});
-        } else if constexpr (std::is_base_of_v<Eigen::MatrixBase<Field>, Field>) {
-          leaves.push_back({name, [&field](double x) { field[1] = static_cast<typename Field::Scalar>(x); }});
-        } else if constexpr (std::is_convertible_v<Field, std::array<double, 3>>) {
-          leaves.push_back({name, [&field](double x) { field[1] = x; }});
-        } else if constexpr (std::is_convertible_v<Field, std::vector<rme::SensorModel<double, 7>>>) {
-          collect_leaves(field[1], leaves);
-        } else {
-          collect_leaves(field, leaves);
-        }
-      },
-      static_cast<Config*>(nullptr));
-}
-
-/// Of the construction with one number out of range; empty if it goes through.
-std::string refusal(std::size_t leaf, double value, std::string& field) {
-  rme::EventEstimatorConfig<double, 7> config;
-  std::vector<Leaf> leaves;
-  collect_leaves(config, leaves);
-  field = leaves[leaf].field;
-  leaves[leaf].set(value);
-  try {
-    rme::EventEstimator<double, 7> estimator(kPeriod, config);
-    // What is accepted has to work: an object that comes leaves finite numbers.
-    HeldArm arm(40);
-    for (int k = 0; k < 2500; ++k) {
-      if (k == 1200) arm.hold({1.1, {0.05, 0.02, 0.13}});
-      const auto& tick = arm.tick();
-      REQUIRE(estimator.update(tick) == rme::Status::Ok);
-      REQUIRE(estimator.compensation(tick.jacobian, tick.rotation).allFinite());
-    }
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
-std::size_t leaf_count() {
-  rme::EventEstimatorConfig<double, 7> config;
-  std::vector<Leaf> leaves;
-  collect_leaves(config, leaves);
-  return leaves.size();
-}
-
-TEST_CASE("EventEstimatorConfig: a NaN in any of its fields is refused by name, with what was expected and what came",
-          "[robustness]") {
-  CHECK(leaf_count() == 39);
-  for (std::size_t leaf = 0; leaf < leaf_count(); ++leaf) {
-    std::string field;
-    const std::string message = refusal(leaf, kNan, field);
-    CAPTURE(field);
-    CHECK_THAT(message, contains("::" + field));
-    CHECK_THAT(message, contains(": expected "));
-    CHECK_THAT(message, contains(", got "));
-  }
-}
-
-TEST_CASE("EventEstimatorConfig: whatever else a field may hold, it is refused by name or works", "[robustness]") {
-  for (const double value : {kInfinity, -kInfinity, -1.0, 0.0, 1e-310, 1e300}) {
-    for (std::size_t leaf = 0; leaf < leaf_count(); ++leaf) {
-      std::string field;
-      const std::string message = refusal(leaf, value, field);
-      CAPTURE(field, value, message);
-      if (message.empty()) continue;
-      // Where the value is too much for the window that has to hold it, either of the two may be named.
-      const bool named = message.find("::" + field) != std::string::npos;
-      CHECK((named || message.find("SampleWindowConfig::duration") != std::string::npos));
-    }
-  }
-}
-
-/// All numbers of the tracker's settings; `observer_bandwidth` may be 0.
+/// All numbers of the estimator's settings; `observer_bandwidth` may be 0.
 std::vector<Leaf> leaves_of(rme::EstimatorConfig<double, 7>& c) {
   if (!c.arm) c.arm = rme::ArmPrior<double, 7>::of(3);
   if (!c.payload) c.payload = rme::PayloadPrior<double>::of(3);
@@ -192,7 +104,6 @@ TEST_CASE("Settings: what a loop is made of refuses numbers out of range by name
   check_refused("CompensationRamp::period", not_positive, [](double x) { rme::CompensationRamp<double, 7>{x}; });
   check_refused("EnergyTank::period", not_positive, [](double x) { rme::EnergyTank<double>{x}; });
   check_refused("PassivityMonitor::period", not_positive, [](double x) { rme::PassivityMonitor<double>{x}; });
-  check_refused("Estimator::dt", not_positive, [](double x) { rme::EventEstimator<double, 7>{x}; });
   check_refused("Estimator::dt", not_positive, [](double x) { rme::Estimator<double, 7>{x}; });
 
   check_refused("MomentumObserverConfig::gain", not_positive, [](double x) {

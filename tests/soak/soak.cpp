@@ -1,19 +1,25 @@
 // soak: minutes or hours of simulated 1 kHz operation of one estimator, never reset.
 //
-// Objects come and go at random, one or two at a time; hands push; the arm moves between poses; samples are spoilt,
-// lost, frozen and wild. Ends with 0 if
-//  - every attach and removal that changes the joint torque by 1 N m or more was noticed, and at most one in a thousand
-//    was taken for a push (kMissedByFault: the share that may be missed either way where a fault falls into it);
+// Objects come and go at random, one or two at a time, often within a second of each other; something is poured in or
+// out; hands push; the arm moves between poses while all this happens; samples are spoilt, lost, frozen and wild.
+// Nothing is asked while something changes and in the half second after that. Then what is believed to be in the hand
+// has to be what is there. Ends with 0 if
+//  - it never was further off than 0.1 kg and four of its own deviations for 0.2 s: not after an attach, a removal, a
+//    pour or a move; after pushes and faults hardly ever (kExcused). A payload in an empty hand, and one that was
+//    believed to be there when it had gone, are counted apart, and there may be none but for pushes and faults;
+//  - hardly any push was carried as payload for more than 0.2 s while it lasted (kTaken);
+//  - what is poured is followed to kLag;
 //  - every compensation torque was finite;
-//  - the same noise-free event, repeated all along, gives the same estimate to 1e-9: nothing has accumulated;
+//  - the same event without noise, repeated all along, gives the same estimate to kDrift: nothing has accumulated;
 //  - the estimator has allocated nothing.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <random>
-#include <rme/event_estimator.hpp>
+#include <rme/estimator.hpp>
 
 #include "io/program.hpp"
 #include "support/allocation_count.hpp"
@@ -35,14 +41,22 @@ constexpr const char* kUsage =
 
 Exit codes: 0 all is as it should be; 1 not; 2 unusable arguments.
 )";
-using Estimator = rme::EventEstimator<double, 7>;
+using Estimator = rme::Estimator<double, 7>;
 using Tick = rme::Proprioception<double, 7>;
-using Estimate = rme::Estimate<double>;
 
-constexpr double kFair = 1.0;            // change of joint torque that may not be missed [N m]; the threshold is 0.7
-constexpr double kMisjudged = 0.001;     // share of those noticed that may be taken for a push
-constexpr double kMissedByFault = 0.01;  // share of the events into which a fault falls
-constexpr double kDrift = 1e-9;          // of the noise-free event [kg, m], and of its covariance
+constexpr double kWrong = 0.1;      // of a belief that is to count as a wrong one, at least [kg]
+constexpr double kSure = 4;         // and more than so many of its own deviations
+constexpr double kBriefly = 0.2;    // for which it may be [s]
+constexpr double kUnsettled = 0.5;  // after a change, before anything is asked [s]
+constexpr double kAfterFault = 2;   // for which a fault is an excuse [s]
+constexpr double kExcused = 0.01;   // share of the pushes, and of the faults, that may do harm
+constexpr double kTaken = 0.02;  // share of the pushes that may be carried while they last: some are what a payload is
+constexpr double kLag = 0.15;    // behind what is poured [kg]
+constexpr double kDrift = 0.01;  // of the event without noise [kg]
+
+/// What was going on last.
+enum Cause : std::size_t { kAttach, kRemoval, kPour, kMove, kPush, kFault, kCauses };
+constexpr std::array<const char*, kCauses> kCauseNames = {"attach", "removal", "pour", "move", "push", "fault"};
 
 /// Two things in one hand.
 Payload<double> together(const Payload<double>& a, const Payload<double>& b) {
@@ -54,12 +68,12 @@ Payload<double> together(const Payload<double>& a, const Payload<double>& b) {
 /// What has happened so far.
 struct Counts {
   long ticks = 0, bad_torques = 0;
-  long events = 0, unnoticed = 0, misjudged = 0;      // attaches and removals of at least kFair
-  long events_with_fault = 0, missed_with_fault = 0;  // those with a fault next to them
-  long pushes = 0, moves = 0, faults = 0;
-  long unasked = 0;  // final estimates that no attach or removal explains
-  double mass_error = 0;
-  long mass_errors = 0;
+  std::array<long, kCauses> happened{}, wrong{};  // and what was believed afterwards was wrong
+  long ghosts = 0;                                // of those, a payload in an empty hand; not after pushes and faults
+  long carried = 0;                               // pushes carried as payload while they lasted
+  double lag = 0;                                 // largest [kg]
+  double mass_error = 0;                          // sum over the ticks at which something was asked [kg]
+  long asked = 0;
 };
 
 class Soak {
@@ -70,106 +84,148 @@ class Soak {
   void operate(double seconds) {
     const long end = counts.ticks + static_cast<long>(seconds / HeldArm::kPeriod);
     while (counts.ticks < end) happen();
-    while (things_ > 0) take_away();
-    arm_.move(rme::examples::panda().ready, 2);
+    while (things_ > 0) take_away(1);
+    move(rme::examples::panda().ready, 2);
     run(3);
   }
 
-  /// The event that is always the same: after the same move, which friction would remember, 1.1 kg comes and goes,
-  /// without noise.
-  /// @return false if it was not seen for what it is
-  bool reference(Estimate& estimate) {
+  /// The event that is always the same: after the same move, 1.1 kg comes and goes, without noise.
+  /// @return the mass that is believed in, 0 if it was not seen for what it is
+  double reference() {
     faulty_ = false;
     arm_.set_noise(0);
     const rme::JointVector<double, 7> ready = arm_.pose();
-    arm_.move(ready.array() - 0.1, 1);
+    move(ready.array() - 0.1, 1);
     run(1);
-    arm_.move(ready, 1);
+    move(ready, 1);
     run(3);
-    const bool watching = estimator_.phase() == rme::Phase::Watching;
-    arm_.hold({1.1, {0.05, 0.02, 0.13}});
-    const int seen = run(2);
-    estimate = estimator_.estimate();
-    arm_.hold({});
-    const int gone = run(2);
+    const bool empty = estimator_.state().empty();
+    set({1.1, {0.05, 0.02, 0.13}}, kAttach);
+    run(2);
+    const double mass = estimator_.state().payload.mean[0];
+    set({}, kRemoval);
+    run(2);
     arm_.set_noise(1);
     faulty_ = true;
-    return watching && seen == 1 && gone == 1 && estimator_.estimate().empty;
+    return empty && estimator_.state().empty() ? mass : 0;
   }
 
   Counts counts;
 
  private:
   double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
+  /// Until the next thing happens: half of the time less than a second.
+  double pause() { return uniform(0, 1) < 0.5 ? uniform(0, 1) : uniform(1, 4); }
 
-  /// One thing, and time for it to settle.
+  /// One thing, and a pause.
   void happen() {
     const double what = uniform(0, 1);
-    if (what < 0.25) {
-      ++counts.pushes;
-      const Eigen::Vector3d force(uniform(-15, 15), uniform(-15, 15), uniform(-15, 15));
-      arm_.push({force, Eigen::Vector3d(uniform(-1.5, 1.5), uniform(-1.5, 1.5), uniform(-1.5, 1.5))});
-      counts.unasked += run(uniform(0.2, 2.5));
-      arm_.push({});
-      counts.unasked += run(uniform(1.5, 3));
+    if (what < 0.2) {
+      push();
     } else if (what < 0.35) {
-      ++counts.moves;
       rme::JointVector<double, 7> pose = rme::examples::panda().ready;
       for (int j = 0; j < 7; ++j) pose[j] += uniform(-0.4, 0.4);
-      arm_.move(pose, uniform(1.5, 3));
-      counts.unasked += run(uniform(4, 6));
-    } else if (things_ < 2 && (things_ == 0 || what < 0.7)) {
-      const Payload<double> thing = {uniform(0.3, 1.5),
-                                     {uniform(-0.05, 0.05), uniform(-0.05, 0.05), uniform(0.05, 0.15)}};
-      hand_[things_++] = thing;
-      change(arm_.torque(thing).norm());
+      move(pose, uniform(1.5, 3));
+      run(uniform(0, 1) < 0.5 ? uniform(0, 2) : uniform(4, 6));  // the next thing happens on the way, or afterwards
+    } else if (what < 0.42 && things_ > 0) {
+      pour();
+    } else if (things_ < 2 && (things_ == 0 || what < 0.75)) {
+      hand_[things_++] = {uniform(0.3, 1.5), {uniform(-0.05, 0.05), uniform(-0.05, 0.05), uniform(0.05, 0.15)}};
+      set(together(hand_[0], hand_[1]), kAttach);
+      run(pause());
     } else {
-      take_away();
+      take_away(pause());
     }
   }
 
-  void take_away() {
+  void take_away(double seconds) {
     if (things_ == 2 && uniform(0, 1) < 0.5) std::swap(hand_[0], hand_[1]);
-    const Payload<double> thing = hand_[--things_];
-    hand_[things_] = {};
-    change(arm_.torque(thing).norm());
+    hand_[--things_] = {};
+    set(together(hand_[0], hand_[1]), kRemoval);
+    run(seconds);
+  }
+
+  /// Into the last thing, or out of it.
+  void pour() {
+    Payload<double>& thing = hand_[things_ - 1];
+    const double from = thing.mass, to = std::max(0.2, std::min(1.5, from + uniform(-0.6, 0.6)));
+    const double seconds = uniform(4, 10);
+    ++counts.happened[kPour];
+    cause_ = kPour;
+    for (double t = 0; t < seconds; t += 0.01) {
+      thing.mass = from + (to - from) * t / seconds;
+      hold(together(hand_[0], hand_[1]));
+      since_ = 0;
+      run(0.01);
+      const double wrong = std::abs(estimator_.state().payload.mean[0] - truth_.mass);
+      if (t > kUnsettled && !disturbed()) counts.lag = std::max(counts.lag, wrong);
+    }
+    run(pause());
+  }
+
+  void push() {
+    ++counts.happened[kPush];
+    const double before = truth_.mass;
+    const Eigen::Vector3d force(uniform(-15, 15), uniform(-15, 15), uniform(-15, 15));
+    arm_.push({force, Eigen::Vector3d(uniform(-1.5, 1.5), uniform(-1.5, 1.5), uniform(-1.5, 1.5))});
+    double carried = 0, longest = 0;
+    for (double t = uniform(0.2, 2.5); t > 0; t -= 0.01) {
+      cause_ = kPush;
+      since_ = 0;
+      run(0.01);
+      carried = std::abs(estimator_.state().payload.mean[0] - before) > kWrong ? carried + 0.01 : 0;
+      longest = std::max(longest, carried);
+    }
+    counts.carried += longest > kBriefly ? 1 : 0;
+    arm_.push({});
+    run(pause());
+  }
+
+  void move(const rme::JointVector<double, 7>& pose, double seconds) {
+    ++counts.happened[kMove];
+    if (since_ > kUnsettled) cause_ = kMove;
+    arm_.move(pose, seconds);
   }
 
   /// The hand holds something else from now on.
-  void change(double torque) {
-    const Payload<double> all = together(hand_[0], hand_[1]);
-    arm_.hold(all);
-    const long faults = counts.faults;
-    const bool disturbed_before = counts.ticks - last_fault_ < 600;
-    rejections_ = 0;
-    const int estimates = run(uniform(1.5, 4));
-    const bool disturbed = disturbed_before || counts.faults > faults;
-    if (torque >= kFair && disturbed) {
-      ++counts.events_with_fault;
-      counts.missed_with_fault += estimates == 0;
-    } else if (torque >= kFair) {
-      ++counts.events;
-      counts.unnoticed += estimates == 0 && rejections_ == 0;
-      counts.misjudged += estimates == 0 && rejections_ > 0;
-    }
-    counts.unasked += std::max(0, estimates - 1);
-    if (estimates == 0) return;
-    counts.mass_error += std::abs(estimator_.estimate().posterior.mean[0] - all.mass);
-    ++counts.mass_errors;
+  void set(const Payload<double>& payload, Cause cause) {
+    ++counts.happened[cause];
+    // What follows so quickly on a push or a fault is judged as that.
+    if (since_ > kUnsettled || cause_ < kPush) cause_ = cause;
+    since_ = 0;
+    hold(payload);
+  }
+  void hold(const Payload<double>& payload) {
+    truth_ = payload;
+    arm_.hold(payload);
   }
 
-  /// @return final estimates
-  int run(double seconds) {
-    int estimates = 0;
+  bool disturbed() const { return static_cast<double>(counts.ticks - last_fault_) < kAfterFault / HeldArm::kPeriod; }
+
+  void run(double seconds) {
     for (long k = std::lround(seconds / HeldArm::kPeriod); k > 0; --k) {
       ++counts.ticks;
+      since_ += HeldArm::kPeriod;
       const Tick& now = arm_.tick();
-      if (!deliver(now)) continue;
-      estimates += estimator_.estimated();
-      rejections_ += estimator_.rejected();
-      counts.bad_torques += !estimator_.compensation(now.jacobian, now.rotation).allFinite();
+      if (deliver(now)) counts.bad_torques += !estimator_.compensation(now.jacobian, now.rotation).allFinite();
+      judge();
     }
-    return estimates;
+  }
+
+  void judge() {
+    if (since_ < kUnsettled) {
+      wrong_ = 0;
+      return;
+    }
+    const auto& belief = estimator_.state().payload;
+    const double error = std::abs(belief.mean[0] - truth_.mass);
+    counts.mass_error += error;
+    ++counts.asked;
+    wrong_ = error > std::max(kWrong, kSure * belief.standard_deviation()[0]) ? wrong_ + 1 : 0;
+    if (wrong_ != std::lround(kBriefly / HeldArm::kPeriod)) return;
+    const Cause cause = disturbed() ? kFault : cause_;
+    ++counts.wrong[cause];
+    counts.ghosts += truth_.mass == 0 && cause != kPush && cause != kFault;
   }
 
   enum class Fault { NotANumber, Lost, Frozen, Wild, Mirror };
@@ -181,7 +237,7 @@ class Soak {
       fault_ = static_cast<Fault>(random_() % 5);
       fault_left_ = fault_ == Fault::Wild ? 1 : 1 + static_cast<int>(random_() % 50);
       frozen_ = now;
-      ++counts.faults;
+      ++counts.happened[kFault];
     }
     if (fault_left_ == 0) return estimator_.update(now) == rme::Status::Ok;
     --fault_left_;
@@ -197,13 +253,15 @@ class Soak {
   HeldArm arm_;
   std::mt19937_64 random_;
   Estimator estimator_;
-  Payload<double> hand_[2];
+  Payload<double> hand_[2], truth_;
   int things_ = 0;
-  int rejections_ = 0;  // since the last change
+  Cause cause_ = kMove;
+  double since_ = 1;  // what was going on last [s]
+  long wrong_ = 0;    // ticks for which the belief has been wrong
   bool faulty_ = true;
   Fault fault_ = Fault::Lost;
   int fault_left_ = 0;  // ticks
-  long last_fault_ = -1000;
+  long last_fault_ = -100000;
   Tick frozen_;
 };
 
@@ -217,23 +275,19 @@ double resident() {
   return static_cast<double>(pages) * 4096 / 1e6;
 }
 
-double difference(const Estimate& a, const Estimate& b) {
-  return std::max((a.posterior.mean - b.posterior.mean).cwiseAbs().maxCoeff(),
-                  (a.posterior.covariance - b.posterior.covariance).cwiseAbs().maxCoeff());
-}
-
 int run(Arguments& arguments) {
   const double minutes = arguments.number("--minutes").value_or(10);
   const std::size_t seed = arguments.whole("--seed", 0).value_or(1);
   arguments.finish();
   if (!(minutes > 0)) throw ArgumentError("--minutes: must be above 0");
-  std::printf("seed %zu\n%8s %9s %7s %9s %9s %7s %7s %7s %7s %10s %8s %6s %7s\n", seed, "minutes", "ticks", "events",
-              "unnoticed", "misjudged", "faulty", "missed", "pushes", "unasked", "mass err g", "drift", "alloc",
-              "RSS MB");
+  std::printf("seed %zu; how often something happened, and what was believed afterwards was wrong\n%8s", seed,
+              "minutes");
+  for (const char* name : kCauseNames) std::printf(" %13s", name);
+  std::printf(" %7s %8s %6s %8s %8s %6s %7s\n", "ghosts", "carried", "lag g", "error g", "drift g", "alloc", "RSS MB");
   Soak soak(seed);
   const int parts = std::max(2, static_cast<int>(std::lround(minutes / 60)));
-  Estimate first, now;
-  bool seen = soak.reference(first);
+  const double first = soak.reference();
+  bool seen = first > 0;
   double drift = 0;
   int allocated = 0;
   for (int part = 1; part <= parts; ++part) {
@@ -241,32 +295,41 @@ int run(Arguments& arguments) {
     const int before = rme::testing::allocations();
 #endif
     soak.operate(minutes * 60 / parts);
-    seen = soak.reference(now) && seen;
+    const double now = soak.reference();
 #ifdef RME_COUNTS_ALLOCATIONS
     allocated += rme::testing::allocations() - before;
 #endif
-    drift = std::max(drift, difference(first, now));
-    Counts& c = soak.counts;
-    std::printf("%8.1f %9ld %7ld %9ld %9ld %7ld %7ld %7ld %7ld %10.2f %8.1e %6d %7.2f\n",
-                static_cast<double>(c.ticks) * HeldArm::kPeriod / 60, c.ticks, c.events, c.unnoticed, c.misjudged,
-                c.events_with_fault, c.missed_with_fault, c.pushes, c.unasked,
-                1e3 * c.mass_error / static_cast<double>(c.mass_errors), drift, allocated, resident());
+    seen = seen && now > 0;
+    drift = std::max(drift, std::abs(now - first));
+    const Counts& c = soak.counts;
+    std::printf("%8.1f", static_cast<double>(c.ticks) * HeldArm::kPeriod / 60);
+    for (std::size_t i = 0; i < kCauses; ++i) std::printf(" %7ld %5ld", c.happened[i], c.wrong[i]);
+    std::printf(" %7ld %8ld %6.1f %8.2f %8.2f %6d %7.2f\n", c.ghosts, c.carried, 1e3 * c.lag,
+                1e3 * c.mass_error / static_cast<double>(c.asked), 1e3 * drift, allocated, resident());
     std::fflush(stdout);
-    c.mass_error = 0;
-    c.mass_errors = 0;
   }
   const Counts& c = soak.counts;
+  int failures = 0;
+  const auto expect = [&failures](bool holds, const char* what) {
+    if (!holds) std::printf("%s\n", what);
+    failures += holds ? 0 : 1;
+  };
   const auto at_most = [](long count, double share, long of) {
     return static_cast<double>(count) <= std::ceil(share * static_cast<double>(of));
   };
-  const bool fair = c.unnoticed == 0 && at_most(c.misjudged, kMisjudged, c.events) &&
-                    at_most(c.missed_with_fault, kMissedByFault, c.events_with_fault);
-  if (!fair) std::printf("objects were missed\n");
-  if (c.bad_torques > 0) std::printf("%ld torques were not finite\n", c.bad_torques);
-  if (!seen) std::printf("the noise-free event was not seen for what it is\n");
-  if (!(drift <= kDrift)) std::printf("the noise-free event's estimate has moved\n");
-  if (allocated > 0) std::printf("memory was allocated\n");
-  return fair && c.bad_torques == 0 && seen && drift <= kDrift && allocated == 0 ? 0 : 1;
+  expect(c.ghosts == 0, "a payload was believed in that was not there");
+  expect(c.wrong[kAttach] == 0, "attached objects were not found, or weighed wrongly");
+  expect(c.wrong[kRemoval] == 0, "removals were not noticed");
+  expect(c.wrong[kPour] == 0 && c.lag < kLag, "what was poured was not followed");
+  expect(c.wrong[kMove] == 0, "motion was taken for a payload");
+  expect(at_most(c.wrong[kPush], kExcused, c.happened[kPush]), "pushes left something behind");
+  expect(at_most(c.carried, kTaken, c.happened[kPush]), "pushes were carried as payload");
+  expect(at_most(c.wrong[kFault], kExcused, c.happened[kFault]), "faults did harm");
+  expect(c.bad_torques == 0, "torques were not finite");
+  expect(seen, "the event without noise was not seen for what it is");
+  expect(drift <= kDrift, "the estimate of the event without noise has moved");
+  expect(allocated == 0, "memory was allocated");
+  return failures == 0 ? 0 : 1;
 }
 
 }  // namespace

@@ -2,20 +2,21 @@
 // where there is nothing?
 //
 // Simulates a Panda in random poses that holds still under an impedance law; its torque sensors have noise and offsets,
-// its joints friction, all drawn anew for each run. After one second an unknown payload hangs on its flange. Printed
-// are for each parameter the errors, how often the 50, 80, 90 and 95 % intervals hold the truth, and the rank histogram
-// (simulation-based calibration: where the truth lies in the posterior, in tenths; level if the posteriors are honest).
-// This is done for the estimator as it comes, which averages over both kinds of arm, and for one that knows which kind
-// of arm it has.
+// its joints friction, all drawn anew for each run. After one second an unknown payload hangs on its flange; from the
+// second second on the arm moves. Judged is what the tracker believes at rest, half a second after the attach, and
+// after three seconds of motion. Printed are for each parameter the errors, how often the 50, 80, 90 and 95 % intervals
+// hold the truth, and the rank histogram (simulation-based calibration: where the truth lies in the posterior, in
+// tenths; level if the posteriors are honest), for arms whose torque sensing sees joint friction and for arms where it
+// does not. The estimator is not told which it is.
 //
 // --pushes adds as many runs in which a hand pushes an empty arm, --quiet that many seconds in which nothing happens.
 //
-// A calibrated posterior has level ranks only if the truths come from its own prior. "--truth prior" draws them there.
-// The default draws them uniformly from the payloads that one may meet, which is what a user cares about; where the
+// A calibrated posterior has level ranks only if the truths come from its own prior, which is the default here.
+// "--truth uniform" draws them evenly from the payloads that one may meet, which is what a user cares about; where the
 // data say little (the centre of mass along gravity), coverage then says as much about the prior as about the
-// inference. Either way a payload too light to be noticed gets no estimate and is not in the tables, only in the count
-// of those missed.
+// inference.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdio>
 #include <exception>
@@ -35,38 +36,55 @@ namespace {
 
 using namespace rme::examples;
 
-constexpr double kAttach = 1;   // when the payload or the push comes [s]
-constexpr double kWatched = 2;  // how long an event is watched from then on, and a push after its end [s]
+constexpr double kAttach = 1;     // when the payload or the push comes [s]
+constexpr double kRest = 0.5;     // judged that long after the attach, at rest [s]
+constexpr double kSetOff = 2;     // when the arm begins to move [s]
+constexpr double kEnd = 5;        // judged then, after motion [s]
+constexpr double kWatched = 2;    // how long a push is watched after its end [s]
+constexpr double kGhost = 0.05;   // of an empty hand: more is a payload that is not there [kg]
+constexpr double kCarried = 0.2;  // for which a push may pass for a payload [s]
 
 constexpr const char* kUsage =
     R"(usage: rme_calibration [options]
 
-Simulates random payloads on a random arm and says how good and how honest the estimates are.
+Simulates random payloads on a random arm and says how good and how honest the tracker's beliefs are.
 
-  --events N        payloads to attach (default 500)
-  --sensing NAME    what the torque sensors see of the joint friction: link_side, joint_friction, or mixed, one or the
-                    other with even odds (default)
-  --preset NAME     what the estimator takes the arm for: unknown (average over both), link_side, joint_friction, or
-                    matching (the kind that it is); default: unknown and matching, one after the other
-  --truth NAME      where payloads come from: uniform (0.2 to 2 kg, default) or prior (the estimator's own prior)
-  --pushes N        also N pushes of 5 to 30 N that last 0.3 to 2 s, in any direction
+  --events N        payloads to attach to each kind of arm (default 500)
+  --sensing NAME    what the torque sensors see of the joint friction: link_side, joint_friction, or both, one after the
+                    other (default)
+  --truth NAME      where payloads come from: prior (the tracker's own, default), or uniform (0.2 to 2 kg)
+  --pushes N        also N pushes of an empty hand of each kind of arm, 0.3 to 2 s long: half of them 5 to 30 N in any
+                    direction at the flange, half nearly what a payload does: 6 to 12 N down and about 1 N aside, 10 cm
+                    ahead of it
+  --warm-up S       the arm moves that long before anything else, and so shows what kind it is (default 0)
+  --told            the estimator is told what kind it is
   --quiet S         also S seconds with nothing attached: half at rest, half following a moving target
   --seed N          of everything random (default 1)
   --threads N       (default 1); the result does not depend on it
   --output DIR      write events.csv and ranks.csv there; the folder is made if need be. plot.py draws them
   --help            this text
 
-Exit codes: 0 done; 1 no payload was noticed; 2 unusable arguments.
+Exit codes: 0 the 90 % intervals hold 87 to 93 % of the truths after motion, at most 1 % of the pushes are carried as
+payload for more than 0.2 s, and no payload is refused; 1 not; 2 unusable arguments.
 )";
 
 struct Options {
   std::size_t events = 500, pushes = 0, threads = 1;
-  double quiet = 0;
+  double quiet = 0, warm_up = 0;
+  bool told = false;
   std::uint64_t seed = 1;
-  Sensing sensing = Sensing::Mixed;
-  Truth truth = Truth::Uniform;
-  std::vector<std::string> presets = {"unknown", "matching"};
+  std::vector<Kind> kinds = {Kind::LinkSide, Kind::JointFriction};
+  bool from_prior = true;
   std::optional<std::string> output;
+
+  std::optional<rme::PayloadGaussian<double>> truth() const {
+    if (!from_prior) return std::nullopt;
+    const auto prior = rme::PayloadPrior<double>::of(rme::EstimatorConfig<double, 7>().rated_payload);
+    Eigen::Vector4d mean, deviation;
+    mean << prior.mass_mean, prior.com_mean;
+    deviation << prior.mass_std, prior.com_std;
+    return rme::PayloadGaussian<double>::independent(mean, deviation);
+  }
 };
 
 Options parse(Arguments& arguments) {
@@ -77,42 +95,28 @@ Options parse(Arguments& arguments) {
   options.seed = arguments.whole("--seed", 0).value_or(1);
   options.quiet = arguments.number("--quiet").value_or(0);
   if (!(options.quiet >= 0 && options.quiet <= 1e6)) throw ArgumentError("--quiet: must be from 0 to 1e6 s");
-  options.sensing = arguments
-                        .choice<Sensing>("--sensing", {{"link_side", Sensing::LinkSide},
-                                                       {"joint_friction", Sensing::JointFriction},
-                                                       {"mixed", Sensing::Mixed}})
-                        .value_or(Sensing::Mixed);
-  options.truth = arguments.choice<Truth>("--truth", {{"uniform", Truth::Uniform}, {"prior", Truth::Prior}})
-                      .value_or(Truth::Uniform);
-  using Presets = std::vector<std::string>;
-  options.presets = arguments
-                        .choice<Presets>("--preset", {{"unknown", {"unknown"}},
-                                                      {"link_side", {"link_side"}},
-                                                      {"joint_friction", {"joint_friction"}},
-                                                      {"matching", {"matching"}}})
-                        .value_or(options.presets);
+  options.warm_up = arguments.number("--warm-up").value_or(0);
+  if (!(options.warm_up >= 0 && options.warm_up <= 1e4)) throw ArgumentError("--warm-up: must be from 0 to 1e4 s");
+  options.told = arguments.flag("--told");
+  using Kinds = std::vector<Kind>;
+  options.kinds = arguments
+                      .choice<Kinds>("--sensing", {{"link_side", {Kind::LinkSide}},
+                                                   {"joint_friction", {Kind::JointFriction}},
+                                                   {"both", options.kinds}})
+                      .value_or(options.kinds);
+  options.from_prior = arguments.choice<bool>("--truth", {{"uniform", false}, {"prior", true}}).value_or(true);
   options.output = arguments.text("--output");
   arguments.finish();
   return options;
 }
 
-/// One estimator for each preset.
-std::vector<rme::EventEstimatorConfig<double, 7>> configurations(const Options& options, bool friction_shows) {
-  std::vector<rme::EventEstimatorConfig<double, 7>> configs;
-  for (const std::string& preset : options.presets) {
-    rme::EventEstimatorConfig<double, 7> config;
-    if (preset == "link_side" || (preset == "matching" && !friction_shows))
-      config.sensors = {rme::SensorModel<double, 7>::link_side()};
-    else if (preset != "unknown")
-      config.sensors = {rme::SensorModel<double, 7>::joint_friction()};
-    configs.push_back(config);
-  }
-  return configs;
+constexpr const char* name_of(Kind kind) {
+  return kind == Kind::JointFriction ? "joint friction" : "link side";
 }
 
 /// Calls work(0) ... work(count - 1), spread over threads, and says on stderr how far it has come.
 template <typename Work>
-void for_each(std::size_t count, const Options& options, const char* what, const Work& work) {
+void for_each(std::size_t count, const Options& options, const std::string& what, const Work& work) {
   std::atomic<std::size_t> next{0}, done{0};
   std::exception_ptr failure;
   std::mutex mutex;
@@ -120,7 +124,7 @@ void for_each(std::size_t count, const Options& options, const char* what, const
     try {
       for (std::size_t i = next++; i < count; i = next++) {
         work(i);
-        if (++done % 100 == 0) std::fprintf(stderr, "%zu of %zu %s\n", done.load(), count, what);
+        if (++done % 100 == 0) std::fprintf(stderr, "%zu of %zu %s\n", done.load(), count, what.c_str());
       }
     } catch (...) {
       const std::lock_guard<std::mutex> lock(mutex);
@@ -134,61 +138,101 @@ void for_each(std::size_t count, const Options& options, const char* what, const
   if (failure) std::rethrow_exception(failure);
 }
 
-/// What one estimator made of one payload.
-struct Event {
-  std::optional<Scored> scored;  // the first estimate after the attach
-  int refused = 0;               // rejections before it
-  int surplus = 0;               // estimates before the attach and after the first
+/// A target that swings around where it began.
+class Swing {
+ public:
+  explicit Swing(RandomHost& random) {
+    for (int i = 0; i < 7; ++i) {
+      amplitude_[i] = random.uniform(0.05, 0.25);
+      frequency_[i] = 2 * 3.14159265358979 * random.uniform(0.05, 0.3);
+    }
+  }
+  /// [rad] after so many seconds.
+  Torque at(double t) const { return 0.5 * amplitude_.array() * (1 - (frequency_ * t).array().cos()); }
+
+ private:
+  Torque amplitude_, frequency_;  // [rad], [rad/s]
 };
 
-/// What all estimators made of it.
-struct Events {
-  std::vector<Event> of_preset;
+/// The settings of its estimator, and an arm that has moved as long as was asked for and rests again.
+class Bench : public Host {
+ public:
+  Bench(const Options& options, Kind kind, const Draw& draw, const Swing& swing)
+      : Host(draw, settings(options, kind)), draw_(draw) {
+    while (arm().time() < options.warm_up) {
+      const double share = std::sin(3.14159265358979 * arm().time() / options.warm_up);
+      move(share * share * swing.at(arm().time()));
+      tick();
+    }
+    if (options.warm_up > 0) move(Torque::Zero());
+    begin_ = arm().time();
+  }
+  double time() { return arm().time() - begin_; }  // since then [s]
+  /// From where it is to hold [rad].
+  void move(const Torque& way) { hold(draw_.target + way); }
+
+ private:
+  static rme::EstimatorConfig<double, 7> settings(const Options& options, Kind kind) {
+    rme::EstimatorConfig<double, 7> config;
+    if (options.told)
+      config.sensing = kind == Kind::JointFriction ? rme::SensingPrior::JointFriction : rme::SensingPrior::LinkSide;
+    return config;
+  }
+  Draw draw_;
+  double begin_ = 0;
+};
+
+/// When a payload is judged.
+enum When : std::size_t { kAtRest, kAfterMotion, kWhens };
+constexpr const char* kWhenNames[] = {"at rest", "after motion"};
+
+/// What was made of one payload.
+struct Event {
+  std::array<std::optional<Scored>, kWhens> scored;  // none while the hand is believed to be empty
+  double noticed = -1;                               // after the attach [s]; -1 for never
   int skipped = 0;
 };
 
-Events attach_payload(const Options& options, std::size_t run) {
+Event attach_payload(const Options& options, Kind kind, std::size_t run) {
   RandomHost random(options.seed, run);
-  const Draw draw = random.draw(options.sensing, options.truth);
-  Host host(draw, configurations(options, draw.friction_shows));
-  Eigen::Vector3d down = Eigen::Vector3d::Zero();  // at the attach, flange axes: the arm sags little
-  while (host.arm().time() < kAttach - kPeriod / 2) host.tick();
-  host.arm().attach(draw.payload);
-  while (host.arm().time() < kAttach + kWatched) {
-    host.tick();
-    if (host.arm().time() < kAttach + kWatched / 4)
-      down = host.arm().kinematics().rotation.transpose() * panda().gravity_vector.normalized();
-  }
-  Events events;
-  events.skipped = draw.skipped;
-  for (std::size_t k = 0; k < options.presets.size(); ++k) {
-    Event event;
-    for (const Answer& answer : host.answers(k)) {
-      if (answer.rejected) {
-        event.refused += event.scored || answer.t < kAttach ? 0 : 1;
-      } else if (event.scored || answer.t < kAttach || answer.empty) {
-        ++event.surplus;
-      } else {
-        Scored s;
-        s.truth << draw.payload.mass, draw.payload.com;
-        s.error = answer.posterior.mean - s.truth;
-        s.deviation = answer.posterior.standard_deviation();
-        const Eigen::Vector3d com = s.error.tail<3>();
-        s.across = (com - down * down.dot(com)).norm();
-        s.detection_delay = answer.detected_at - kAttach;
-        s.delay = answer.t - kAttach;
-        s.friction_shows = draw.friction_shows;
-        event.scored = s;
-      }
+  const Draw draw = random.draw(kind, options.truth());
+  const Swing swing(random);
+  Bench host(options, kind, draw, swing);
+  Event event;
+  event.skipped = draw.skipped;
+  const auto judge = [&](When when) {
+    if (host.state().empty()) return;
+    Scored s;
+    s.truth << draw.payload.mass, draw.payload.com;
+    s.error = host.state().payload.mean - s.truth;
+    s.deviation = host.state().payload.standard_deviation();
+    const Eigen::Vector3d com = s.error.tail<3>(),
+                          down = host.arm().kinematics().rotation.transpose() * panda().gravity_vector.normalized();
+    s.across = (com - down * down.dot(com)).norm();
+    s.friction_shows = draw.friction_shows;
+    event.scored[when] = s;
+  };
+  const auto run_until = [&](double time) {
+    while (host.time() < time - kPeriod / 2) {
+      if (host.time() > kSetOff) host.move(swing.at(host.time() - kSetOff));
+      host.tick();
+      if (host.time() > kAttach && event.noticed < 0 && !host.state().empty()) event.noticed = host.time() - kAttach;
     }
-    events.of_preset.push_back(event);
-  }
-  return events;
+  };
+  run_until(kAttach);
+  host.arm().attach(draw.payload);
+  run_until(kAttach + kRest);
+  judge(kAtRest);
+  run_until(kEnd);
+  judge(kAfterMotion);
+  return event;
 }
 
-void print(const std::vector<Scored>& scored) {
+/// @return whether the 90 % intervals hold what they should
+bool print(const std::vector<Scored>& scored) {
   std::printf("%-9s %7s %7s %7s |%7s%7s%7s%7s  %% hold |%11s | ranks in tenths\n", "", "mae", "rms", "bias", "50", "80",
               "90", "95", "half width");
+  bool honest = true;
   for (int i = 0; i < 4; ++i) {
     const Summary s = summarise(scored, i);
     std::printf("%-9s %7.2f %7.2f %7.2f |", kParameters[static_cast<std::size_t>(i)], s.mean_absolute, s.rms, s.bias);
@@ -196,154 +240,169 @@ void print(const std::vector<Scored>& scored) {
     std::printf("         |%11.2f |", s.half_width);
     for (const int count : s.ranks) std::printf(" %3d", count);
     std::printf("\n");
+    honest = honest && s.coverage[2] >= 87 && s.coverage[2] <= 93;
   }
-  double across = 0, detection = 0, delay = 0;
-  const double n = static_cast<double>(scored.size());
-  for (const Scored& s : scored) {
-    across += s.across / n;
-    detection += s.detection_delay / n;
-    delay += s.delay / n;
-  }
+  double across = 0;
+  for (const Scored& s : scored) across += s.across / static_cast<double>(scored.size());
   const auto [least, most] = expected_counts(scored.size());
-  std::printf("centre of mass across gravity: %.2f mm off on average; noticed after %.0f ms, estimated after %.0f ms\n",
-              1e3 * across, 1e3 * detection, 1e3 * delay);
+  std::printf("centre of mass across gravity: %.2f mm off on average\n", 1e3 * across);
   std::printf("half width: of the 90 %% interval; ranks of an honest posterior: %.0f to %.0f in 99 %% of cases\n",
               least, most);
+  return honest;
 }
 
-void write_csv(const std::filesystem::path& folder, const Options& options,
-               const std::vector<std::vector<Scored>>& scored) {
-  std::ofstream events(folder / "events.csv"), ranks(folder / "ranks.csv");
-  events << "preset,friction_shows,mass,x,y,z,mass_error,x_error,y_error,z_error,mass_std,x_std,y_std,z_std,across,"
-            "detection_delay,delay\n";
-  ranks << "preset,parameter,bin,count,least,most\n";
-  const Eigen::IOFormat cells(Eigen::StreamPrecision, Eigen::DontAlignCols, ",", ",");
-  const char* names[] = {"mass", "x", "y", "z"};
-  for (std::size_t k = 0; k < scored.size(); ++k) {
-    for (const Scored& s : scored[k])
-      events << options.presets[k] << ',' << s.friction_shows << ',' << s.truth.format(cells) << ','
-             << s.error.format(cells) << ',' << s.deviation.format(cells) << ',' << s.across << ',' << s.detection_delay
-             << ',' << s.delay << '\n';
-    const auto [least, most] = expected_counts(scored[k].size());
+/// events.csv and ranks.csv, or nothing without a folder.
+class Files {
+ public:
+  explicit Files(const std::optional<std::string>& folder) : folder_(folder) {
+    if (!folder_) return;
+    events_.open(std::filesystem::path(*folder_) / "events.csv");
+    ranks_.open(std::filesystem::path(*folder_) / "ranks.csv");
+    events_ << "case,friction_shows,mass,x,y,z,mass_error,x_error,y_error,z_error,mass_std,x_std,y_std,z_std,across\n";
+    ranks_ << "case,parameter,bin,count,least,most\n";
+  }
+  void add(const std::string& name, const std::vector<Scored>& scored) {
+    if (!folder_) return;
+    const Eigen::IOFormat cells(Eigen::StreamPrecision, Eigen::DontAlignCols, ",", ",");
+    for (const Scored& s : scored)
+      events_ << name << ',' << s.friction_shows << ',' << s.truth.format(cells) << ',' << s.error.format(cells) << ','
+              << s.deviation.format(cells) << ',' << s.across << '\n';
+    const auto [least, most] = expected_counts(scored.size());
+    const char* names[] = {"mass", "x", "y", "z"};
     for (int i = 0; i < 4; ++i) {
-      const Summary summary = summarise(scored[k], i);
+      const Summary summary = summarise(scored, i);
       for (std::size_t bin = 0; bin < kBins; ++bin)
-        ranks << options.presets[k] << ',' << names[i] << ',' << bin << ',' << summary.ranks[bin] << ',' << least << ','
-              << most << '\n';
+        ranks_ << name << ',' << names[i] << ',' << bin << ',' << summary.ranks[bin] << ',' << least << ',' << most
+               << '\n';
     }
+    if (!events_.flush() || !ranks_.flush()) throw ArgumentError("--output: cannot write to " + *folder_);
   }
-  if (!events.flush() || !ranks.flush()) throw ArgumentError("--output: cannot write to " + folder.string());
-}
 
-/// @return whether every preset has noticed a payload
-bool study_payloads(const Options& options) {
-  std::vector<Events> runs(options.events);
-  for_each(options.events, options, "payloads", [&](std::size_t i) { runs[i] = attach_payload(options, i); });
+ private:
+  std::optional<std::string> folder_;
+  std::ofstream events_, ranks_;
+};
+
+/// @return whether intervals hold after motion, and no payload is refused
+bool study_payloads(const Options& options, Kind kind, Files& files) {
+  std::vector<Event> events(options.events);
+  for_each(options.events, options, std::string("payloads, ") + name_of(kind),
+           [&](std::size_t i) { events[i] = attach_payload(options, kind, i); });
   int skipped = 0;
-  for (const Events& events : runs) skipped += events.skipped;
-  std::printf("%zu payloads; %d draws skipped that the arm could not have held\n", options.events, skipped);
-  std::vector<std::vector<Scored>> scored(options.presets.size());
-  bool all = true;
-  for (std::size_t k = 0; k < options.presets.size(); ++k) {
-    int refused = 0, unnoticed = 0, surplus = 0;
-    for (const Events& events : runs) {
-      const Event& event = events.of_preset[k];
-      if (event.scored)
-        scored[k].push_back(*event.scored);
-      else
-        ++(event.refused > 0 ? refused : unnoticed);
-      surplus += event.surplus;
-    }
-    std::printf("\nsensing of the arm: %s\n", options.presets[k].c_str());
-    if (scored[k].empty())
-      all = false;
-    else
-      print(scored[k]);
-    std::printf("%zu estimated, %d not noticed, %d refused (%.2f %%); %d surplus estimates\n", scored[k].size(),
-                unnoticed, refused, 100.0 * refused / static_cast<double>(options.events), surplus);
+  std::vector<double> noticed;
+  for (const Event& event : events) {
+    skipped += event.skipped;
+    if (event.noticed >= 0) noticed.push_back(event.noticed);
   }
-  if (options.output) write_csv(*options.output, options, scored);
-  return all;
+  std::sort(noticed.begin(), noticed.end());
+  std::printf("%s: %zu payloads; %d draws skipped that the arm could not have held\n", name_of(kind), options.events,
+              skipped);
+  bool good = true;
+  for (const When when : {kAtRest, kAfterMotion}) {
+    std::vector<Scored> scored;
+    for (const Event& event : events)
+      if (event.scored[when]) scored.push_back(*event.scored[when]);
+    std::printf("\n%s, %s\n", name_of(kind), kWhenNames[when]);
+    if (scored.empty()) return false;
+    const bool honest = print(scored);
+    files.add(std::string(name_of(kind)) + " " + kWhenNames[when], scored);
+    std::printf("believed in: %zu of %zu\n", scored.size(), options.events);
+    good = good && scored.size() == options.events && (when == kAtRest || honest);
+  }
+  const std::size_t refused = options.events - noticed.size();
+  std::printf("never believed in: %zu", refused);
+  if (!noticed.empty()) std::printf("; the others after %.0f ms in the median", 1e3 * noticed[noticed.size() / 2]);
+  std::printf("\n");
+  return good;
 }
 
-/// @return for each preset the number of estimates, where there is nothing to estimate
-std::vector<int> push_arm(const Options& options, std::size_t run) {
+/// @return for how long an empty hand was believed to hold something [s], at the longest
+double push_arm(const Options& options, Kind kind, std::size_t run) {
   RandomHost random(options.seed + 1, run);
-  const Draw draw = random.draw(options.sensing, options.truth, false);
-  Host host(draw, configurations(options, draw.friction_shows));
-  const Eigen::Vector3d force = random.uniform(5, 30) * random.direction();
+  const Draw draw = random.draw(kind, std::nullopt, false);
+  Bench host(options, kind, draw, Swing(random));
+  Eigen::Vector3d force = random.uniform(5, 30) * random.direction(), at = Eigen::Vector3d::Zero();
+  if (run % 2 == 1) {  // nearly what a payload does
+    force = Eigen::Vector3d(random.normal(0, 1), random.normal(0, 1), -6 - 2 * std::abs(random.normal(0, 1)));
+    at = Eigen::Vector3d(random.normal(0, 0.05), random.normal(0, 0.05), random.normal(0.1, 0.03));
+  }
   const double duration = random.uniform(0.3, 2);
   constexpr double kRamp = 0.05;  // at both ends [s]
-  while (host.arm().time() < kAttach + duration + kWatched) {
-    const double since = host.arm().time() - kAttach;
-    const double share = std::clamp(std::min(since, duration - since) / kRamp, 0.0, 1.0);
-    host.arm().push({share * force, Eigen::Vector3d::Zero()});
+  double longest = 0, since = 0;
+  while (host.time() < kAttach + duration + kWatched) {
+    const double t = host.time() - kAttach;
+    const double share = std::clamp(std::min(t, duration - t) / kRamp, 0.0, 1.0);
+    const Eigen::Vector3d lever = host.arm().kinematics().rotation * at;
+    host.arm().push({share * force, share * lever.cross(force)});
     host.tick();
+    since = host.state().payload.mean[0] > kGhost ? since + kPeriod : 0;
+    longest = std::max(longest, since);
   }
-  std::vector<int> accepted;
-  for (std::size_t k = 0; k < options.presets.size(); ++k)
-    accepted.push_back(static_cast<int>(std::count_if(host.answers(k).begin(), host.answers(k).end(),
-                                                      [](const Answer& answer) { return !answer.rejected; })));
-  return accepted;
+  return longest;
 }
 
-void study_pushes(const Options& options) {
-  std::vector<std::vector<int>> accepted(options.pushes);
-  for_each(options.pushes, options, "pushes", [&](std::size_t i) { accepted[i] = push_arm(options, i); });
-  std::printf("\n%zu pushes of 5 to 30 N\n", options.pushes);
-  for (std::size_t k = 0; k < options.presets.size(); ++k) {
-    int taken = 0;
-    for (const auto& of_run : accepted) taken += of_run[k] > 0 ? 1 : 0;
-    std::printf("sensing of the arm: %-15s %d taken for a payload (%.2f %%)\n", options.presets[k].c_str(), taken,
-                100.0 * taken / static_cast<double>(options.pushes));
+/// @return whether next to none is carried
+bool study_pushes(const Options& options, Kind kind) {
+  std::vector<double> longest(options.pushes);
+  for_each(options.pushes, options, std::string("pushes, ") + name_of(kind),
+           [&](std::size_t i) { longest[i] = push_arm(options, kind, i); });
+  std::array<int, 2> carried{}, of{};
+  for (std::size_t i = 0; i < longest.size(); ++i) {
+    carried[i % 2] += longest[i] > kCarried ? 1 : 0;
+    ++of[i % 2];
   }
+  const int all = carried[0] + carried[1];
+  std::printf("\n%s: %zu pushes; taken for more than %.0f g for longer than %.1f s: %d (%.2f %%)\n", name_of(kind),
+              longest.size(), 1e3 * kGhost, kCarried, all, 100.0 * all / static_cast<double>(longest.size()));
+  std::printf("of those in any direction %d of %d, of those down and aside %d of %d; the longest for %.2f s\n",
+              carried[0], of[0], carried[1], of[1], *std::max_element(longest.begin(), longest.end()));
+  return 100 * all <= static_cast<int>(longest.size());
 }
 
 constexpr double kQuietRun = 30;  // length of one quiet run [s]
 
-/// An arm of its own, at rest or on the move. @return for each preset the number of estimates
-std::vector<int> leave_alone(const Options& options, std::size_t run, double duration) {
+/// An arm of its own, at rest or on the move. @return events that were no pushes, where nothing happens
+int leave_alone(const Options& options, Kind kind, std::size_t run, double duration) {
   RandomHost random(options.seed + 2, run);
-  Draw draw = random.draw(options.sensing, options.truth, false);
-  Host host(draw, configurations(options, draw.friction_shows));
-  Torque amplitude = Torque::Zero(), frequency;  // of the target [rad, rad/s]
-  for (int i = 0; i < 7; ++i) {
-    if (run % 2 == 1) amplitude[i] = random.uniform(0.05, 0.25);
-    frequency[i] = 2 * 3.14159265358979 * random.uniform(0.05, 0.3);
-  }
-  while (host.arm().time() < duration) {
-    if (run % 2 == 1)
-      host.hold(draw.target + amplitude.cwiseProduct((frequency * host.arm().time()).array().sin().matrix()));
+  const Draw draw = random.draw(kind, std::nullopt, false);
+  const Swing swing(random);
+  Bench host(options, kind, draw, swing);
+  int found = 0, last = 0;
+  while (host.time() < duration) {
+    if (run % 2 == 1) host.move(swing.at(host.time()));
     host.tick();
+    const rme::Event& event = host.state().event;
+    found += event.number != last && event.kind != rme::EventKind::Pushed ? 1 : 0;
+    last = event.number;
   }
-  std::vector<int> estimates;
-  for (std::size_t k = 0; k < options.presets.size(); ++k)
-    estimates.push_back(static_cast<int>(std::count_if(host.answers(k).begin(), host.answers(k).end(),
-                                                       [](const Answer& answer) { return !answer.rejected; })));
-  return estimates;
+  return found;
 }
 
-void study_quiet(const Options& options) {
+void study_quiet(const Options& options, Kind kind) {
   const auto runs = 2 * static_cast<std::size_t>(std::ceil(options.quiet / 2 / kQuietRun));
   const double duration = options.quiet / static_cast<double>(runs);
-  std::vector<std::vector<int>> estimates(runs);
-  for_each(runs, options, "quiet runs", [&](std::size_t i) { estimates[i] = leave_alone(options, i, duration); });
-  std::printf("\n%.0f s with nothing attached\n", options.quiet);
-  for (std::size_t k = 0; k < options.presets.size(); ++k) {
-    int resting = 0, moving = 0;
-    for (std::size_t i = 0; i < runs; ++i) (i % 2 == 1 ? moving : resting) += estimates[i][k];
-    std::printf("sensing of the arm: %-15s %d false estimates at rest, %d on the move\n", options.presets[k].c_str(),
-                resting, moving);
-  }
+  std::vector<int> found(runs);
+  for_each(runs, options, std::string("quiet runs, ") + name_of(kind),
+           [&](std::size_t i) { found[i] = leave_alone(options, kind, i, duration); });
+  std::array<int, 2> count{};
+  for (std::size_t i = 0; i < runs; ++i) count[i % 2] += found[i];
+  std::printf("\n%s: %.0f s with nothing attached: %d events found at rest, %d on the move\n", name_of(kind),
+              options.quiet, count[0], count[1]);
 }
 
 int run(Arguments& arguments) {
   const Options options = parse(arguments);
   if (options.output) make_folder("--output", *options.output);
-  const bool noticed = study_payloads(options);
-  if (options.pushes > 0) study_pushes(options);
-  if (options.quiet > 0) study_quiet(options);
-  return noticed ? 0 : 1;
+  Files files(options.output);
+  std::printf("seed %llu\n", static_cast<unsigned long long>(options.seed));
+  bool good = true;
+  for (const Kind kind : options.kinds) {
+    std::printf("\n");
+    good = study_payloads(options, kind, files) && good;
+    if (options.pushes > 0) good = study_pushes(options, kind) && good;
+    if (options.quiet > 0) study_quiet(options, kind);
+  }
+  return good ? 0 : 1;
 }
 
 }  // namespace

@@ -24,16 +24,16 @@ def coverage(events, parameter):
 
 def draw(folder):
     events, ranks = read(folder / "events.csv"), read(folder / "ranks.csv")
-    presets = list(dict.fromkeys(row["preset"] for row in ranks))
+    cases = list(dict.fromkeys(row["case"] for row in ranks))
     figure, axes = plt.subplots(2, 4, figsize=(10, 5), constrained_layout=True, squeeze=False)
     for column, parameter in enumerate(PARAMETERS):
         above, below = axes[:, column]
-        for preset, colour in zip(presets, COLOURS):
-            bars = [row for row in ranks if row["preset"] == preset and row["parameter"] == parameter]
+        for case, colour in zip(cases, COLOURS):
+            bars = [row for row in ranks if row["case"] == case and row["parameter"] == parameter]
             edges = [i / len(bars) for i in range(len(bars) + 1)]
-            above.stairs([int(row["count"]) for row in bars], edges, color=colour, label=preset)
-            mine = [row for row in events if row["preset"] == preset]
-            below.plot(*coverage(mine, parameter), color=colour, label=preset)
+            above.stairs([row["count"] for row in bars], edges, color=colour, label=case)
+            mine = [row for row in events if row["case"] == case]
+            below.plot(*coverage(mine, parameter), color=colour, label=case)
         above.axhspan(float(bars[0]["least"]), float(bars[0]["most"]), color="#e8e8e8", linewidth=0,
                       zorder=0)
         above.set_ylim(bottom=0)
@@ -44,7 +44,7 @@ def draw(folder):
         below.set_xlabel("level of the interval")
     axes[0, 0].set_ylabel("events")
     axes[1, 0].set_ylabel("holds the truth")
-    axes[1, 0].legend(loc="lower right")
+    axes[1, 0].legend(loc="lower right", fontsize=6)
     return figure
 
 

@@ -4,13 +4,13 @@
 
 namespace rme::examples {
 
-Draw RandomHost::draw(Sensing sensing, Truth truth, bool with_payload) {
+Draw RandomHost::draw(Kind kind, const std::optional<PayloadGaussian<double>>& prior, bool with_payload) {
   Draw d;
-  d.friction_shows = sensing == Sensing::JointFriction || (sensing == Sensing::Mixed && uniform(0, 1) < 0.5);
+  d.friction_shows = kind == Kind::JointFriction || (kind == Kind::Mixed && uniform(0, 1) < 0.5);
   d.arm = faults(d.friction_shows);
   while (true) {
     pose(d.start);
-    d.payload = with_payload ? payload(truth) : RigidBody();
+    d.payload = with_payload ? payload(prior) : RigidBody();
     const Torque held = panda().dynamics(d.start, Torque::Zero(), d.payload).gravity;
     if ((held.array().abs() < 0.9 * panda().tau_max.array()).all()) break;
     ++d.skipped;
@@ -50,15 +50,14 @@ void RandomHost::pose(Torque& q) {
   }
 }
 
-RigidBody RandomHost::payload(Truth truth) {
+RigidBody RandomHost::payload(const std::optional<PayloadGaussian<double>>& prior) {
   Eigen::Vector4d theta;
-  if (truth == Truth::Uniform) {
-    theta << uniform(0.2, 2), uniform(-0.08, 0.08), uniform(-0.08, 0.08), uniform(0, 0.2);
-  } else {
-    const auto prior = FixedPrior<double>().gaussian;
+  if (prior) {
     do
-      for (int i = 0; i < 4; ++i) theta[i] = normal(prior.mean[i], prior.standard_deviation()[i]);
-    while (theta[0] < 0.05);
+      for (int i = 0; i < 4; ++i) theta[i] = normal(prior->mean[i], prior->standard_deviation()[i]);
+    while (theta[0] < 0.05 || theta[0] > 3);
+  } else {
+    theta << uniform(0.2, 2), uniform(-0.08, 0.08), uniform(-0.08, 0.08), uniform(0, 0.2);
   }
   return box(theta[0], theta.tail<3>(), {uniform(0.04, 0.1), uniform(0.04, 0.1), uniform(0.04, 0.1)});
 }

@@ -1,8 +1,8 @@
 // figure7_detection: Figure 7 of the paper, and what it does not show. What do the published detection conditions
-// (Algorithm 1, on the norm of tau_ext) and the estimator's own make of a payload that is attached, one that is
-// removed, slow hand-overs, and a push?
+// (Algorithm 1, on the norm of tau_ext), the published pipeline behind them and the tracker make of a payload that is
+// attached, one that is removed, slow hand-overs, and a push?
 //
-// Both watch the same arm, which holds its pose under CPIC with the estimator's compensation.
+// All watch the same arm, which holds its pose under CPIC with the tracker's compensation.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,7 +21,7 @@ constexpr const char* kUsage = R"(usage: rme_figure7_detection [options]
 
 Figure 7 of the paper: detection of a payload attached, removed or handed over slowly, and of a push.
 
-Exit codes: 0 the estimator found every payload and took no push for one; 1 not; 2 unusable arguments.
+Exit codes: 0 the tracker ended within 50 g of every payload (100 g with --friction) and took no push for one; 1 not; 2 unusable arguments.
 
   --trials N        of each scenario (default 20; 2 with --quick)
 )";
@@ -47,20 +47,24 @@ const std::vector<Scenario>& scenarios() {
   return all;
 }
 
-/// Times count from the event [s]; what did not happen is missing.
+/// What one of them made of it. Times count from the event [s]; what did not happen is missing.
+struct Found {
+  std::optional<double> noticed, estimate;
+  double error = 0;  // of the mass that is believed in the end [kg]
+  int answers = 0;   // payloads found, be it an empty hand
+};
 struct Outcome {
-  std::optional<double> published;     // the published conditions hold
-  std::optional<double> early, final;  // estimates
-  double error = 0;                    // of the final mass, or of what is taken to be there in the end [kg]
-  bool rejected = false;
+  Found published, tracker;
+  bool pushed = false;  // the tracker said that it was a push
 };
 
 Outcome run_trial(const Setup& setup, const Scenario& scenario, std::uint64_t number, CsvFile* csv) {
   const auto& q = panda().ready;
-  Trial trial(setup.arm(number), HostConfig::hold(panda(), q), q, true);
-  rme::MismatchDetector<1> published(kPeriod, rme::MismatchDetectorConfig::published());
+  Trial trial(setup.arm(number), HostConfig::hold(panda(), q), q, Method::Tracker);
+  rme::MismatchDetector<1> conditions(kPeriod, rme::MismatchDetectorConfig::published());
   Outcome out;
   int handle = 0;
+  std::uint64_t detections = 0, estimates = 0, found = 0;  // before the event
   for (int k = 0; k < static_cast<int>(scenario.end() / kPeriod); ++k) {
     const double t = k * kPeriod, since = t - scenario.event();
     if (!scenario.is_push() && k == static_cast<int>(kEvent / kPeriod))
@@ -68,22 +72,42 @@ Outcome run_trial(const Setup& setup, const Scenario& scenario, std::uint64_t nu
     if (scenario.removal && k == static_cast<int>(kRemoval / kPeriod)) trial.arm.detach(handle);
     if (scenario.is_push()) trial.arm.push({scenario.push.at(t), Eigen::Vector3d::Zero()});
     const double norm = trial.arm.tau_ext().norm();
-    (void)published.update(Eigen::Matrix<double, 1, 1>(norm));
+    (void)conditions.update(Eigen::Matrix<double, 1, 1>(norm));
     trial.tick();
-    const auto& estimator = trial.estimator;
-    if (since > 0) {
-      if (published.detected() && !out.published) out.published = since;
-      if (estimator.refreshed() && !out.early) out.early = since;
-      if (estimator.estimated() && !out.final) out.final = since;
-      out.rejected = out.rejected || estimator.rejected();
+    const auto& published = trial.published.state();
+    const auto& tracker = trial.estimator.state();
+    if (since <= 0) {
+      detections = published.detections;
+      estimates = published.estimates;
+      found = trial.answers(Method::Tracker);
+    } else {
+      if (published.detections > detections && !out.published.noticed) out.published.noticed = since;
+      if (published.estimates > estimates && !out.published.estimate) out.published.estimate = since;
+      if (tracker.changing && !out.tracker.noticed) out.tracker.noticed = since;
+      if (trial.answers(Method::Tracker) > found && !out.tracker.estimate) out.tracker.estimate = since;
+      out.pushed = out.pushed || (tracker.event.kind == rme::EventKind::Pushed && tracker.event.onset > kEvent - 0.1);
     }
     if (csv && k % 5 == 0)
-      csv->row(scenario.name, since, norm, published.rapid_change(), published.stabilised(), published.detected(),
-               rme::to_string(estimator.phase()), estimator.estimate().payload().mass, trial.arm.payload().mass);
+      csv->row(scenario.name, since, norm, conditions.rapid_change(), conditions.stabilised(), conditions.detected(),
+               published.posterior.mean[0], tracker.payload.mean[0], trial.arm.payload().mass);
   }
-  out.error = trial.estimator.estimate().payload().mass - trial.arm.payload().mass;
+  out.published.error = trial.published.state().posterior.mean[0] - trial.arm.payload().mass;
+  out.tracker.error = trial.estimator.state().payload.mean[0] - trial.arm.payload().mass;
+  out.published.answers = static_cast<int>(trial.published.state().estimates - estimates);
+  out.tracker.answers = static_cast<int>(trial.answers(Method::Tracker) - found);
   return out;
 }
+
+/// Of all trials of a scenario.
+struct Summary {
+  std::vector<double> noticed, estimates;
+  double worst = 0;
+  void add(const Found& found) {
+    if (found.noticed) noticed.push_back(*found.noticed);
+    if (found.estimate) estimates.push_back(*found.estimate);
+    worst = std::max(worst, std::abs(found.error));
+  }
+};
 
 // "12 of 20, 656 ms": how often, and the median time.
 std::string often(std::vector<double> times, std::size_t all) {
@@ -97,30 +121,32 @@ int run(Arguments& arguments) {
   const std::size_t trials = arguments.whole("--trials", 1, 1000).value_or(setup.quick ? 2 : 20);
   arguments.finish();
 
-  CsvFile csv(setup.output, "detection.csv", "scenario,t,norm,rapid_change,stabilised,detected,phase,mass,true_mass");
-  MarkdownTable table({"event", "published conditions hold", "first early estimate", "final estimate",
-                       "taken for no payload", "worst mass error in the end [kg]"});
+  CsvFile csv(setup.output, "detection.csv",
+              "scenario,t,norm,rapid_change,stabilised,detected,published_mass,mass,true_mass");
+  MarkdownTable table({"event", "Algorithm 1 detects", "published pipeline estimates", "wrong in the end [kg]",
+                       "tracker notices", "calls a payload found", "calls it a push", "wrong in the end [kg]"});
   bool good = true;
   std::size_t number = 0;
   for (const Scenario& scenario : scenarios()) {
-    std::vector<double> published, early, final;
-    double worst = 0;
-    std::size_t rejected = 0;
+    Summary published, tracker;
+    std::size_t pushes = 0;
     for (std::size_t k = 0; k < trials; ++k) {
       const Outcome out = run_trial(setup, scenario, ++number, k == 0 ? &csv : nullptr);
-      if (out.published) published.push_back(*out.published);
-      if (out.early) early.push_back(*out.early);
-      if (out.final) final.push_back(*out.final);
-      rejected += out.rejected && !out.final ? 1 : 0;
-      worst = std::max(worst, std::abs(out.error));
+      published.add(out.published);
+      tracker.add(out.tracker);
+      pushes += out.pushed ? 1 : 0;
       progress("figure7_detection", number, trials * scenarios().size());
     }
-    good = good && final.size() == (scenario.is_push() ? 0 : trials);
-    table.row({scenario.name, often(published, trials), often(early, trials), often(final, trials),
-               text("%zu of %zu", rejected, trials), text("%.3f", worst)});
+    // Of what has slid into the hand in two seconds, the mass in the end is what counts, not when it is called an
+    // event.
+    good = good && (scenario.is_push() ? tracker.estimates.empty() && tracker.worst < 0.02
+                                       : tracker.worst < (setup.friction ? 0.1 : 0.05));
+    table.row({scenario.name, often(published.noticed, trials), often(published.estimates, trials),
+               text("%.3f", published.worst), often(tracker.noticed, trials), often(tracker.estimates, trials),
+               text("%zu of %zu", pushes, trials), text("%.3f", tracker.worst)});
   }
-  std::printf("%s, 1.1 kg, %zu trials each, seed %llu; median times since the event.\n\n", setup.name().c_str(), trials,
-              static_cast<unsigned long long>(setup.seed));
+  std::printf("%s, 1.1 kg, %zu trials each, seed %llu; median times since the event, worst errors of the mass.\n\n",
+              setup.name().c_str(), trials, static_cast<unsigned long long>(setup.seed));
   table.print();
   return good ? 0 : 1;
 }

@@ -20,7 +20,7 @@ def spans(rows, key):
 
 
 def draw(folder):
-    """The norm of tau_ext, the published conditions below it, and the estimated mass beside the true one."""
+    """The norm of tau_ext, the published conditions below it, and the masses that are believed in beside the true one."""
     rows = read(folder / "detection.csv")
     scenarios = list(dict.fromkeys(row["scenario"] for row in rows))
     figure, axes = plt.subplots(2, len(scenarios), figsize=(2.1 * len(scenarios), 3.8), sharex="col", sharey="row",
@@ -35,7 +35,8 @@ def draw(folder):
                               label=label if scenario == scenarios[0] else None)
         above.set_title(scenario, fontsize=8)
         below.plot(t, column(mine, "true_mass"), color="grey", linestyle=":", label="true")
-        below.plot(t, column(mine, "mass"), color=COLOURS[0], linewidth=1, label="estimated")
+        below.plot(t, column(mine, "published_mass"), color=COLOURS[2], linewidth=1, label="published pipeline")
+        below.plot(t, column(mine, "mass"), color=COLOURS[0], linewidth=1, label="tracker")
         below.set_xlabel("time since the event [s]")
     axes[0][0].set_ylabel("|tau_ext| [N m]")
     axes[1][0].set_ylabel("mass [kg]")

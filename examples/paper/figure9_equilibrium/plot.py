@@ -8,22 +8,22 @@ from plotting import COLOURS, column, main, plt, read
 
 
 def draw(folder):
-    """Errors over time, CPIC alone dotted and with the estimator solid."""
+    """Errors over time: CPIC alone dotted, with the published pipeline dashed, with the tracker solid."""
     rows = read(folder / "errors.csv")
     figure, axes = plt.subplots(1, 2, figsize=(8, 3), constrained_layout=True)
     for mass, colour in zip(sorted(set(column(rows, "m"))), COLOURS):
-        for compensated, style in ((0, ":"), (1, "-")):
-            mine = [row for row in rows if row["m"] == mass and row["with"] == compensated]
+        for method, style in (("CPIC alone", ":"), ("published pipeline", "--"), ("tracker", "-")):
+            mine = [row for row in rows if row["m"] == mass and row["method"] == method]
             for axis, key, unit in zip(axes, ("position", "orientation"), (1e3, 1)):
                 axis.plot(column(mine, "t"), [max(1e-3, unit * row[key]) for row in mine], style, color=colour, linewidth=1,
-                          label=f"{mass:g} kg" if compensated else None)
+                          label=f"{mass:g} kg" if style == "-" else None)
     for axis, title in zip(axes, ("position error [mm]", "orientation error [degrees]")):
         axis.set_yscale("log")
         axis.set_title(title)
         axis.set_xlabel("time since the attach [s]")
     axes[0].set_ylim(bottom=0.02)
     axes[1].set_ylim(bottom=0.002)
-    axes[0].legend(fontsize=7, ncol=2, title="dotted: CPIC alone", title_fontsize=7)
+    axes[0].legend(fontsize=7, ncol=2, title="dotted: CPIC alone; dashed: published pipeline", title_fontsize=7)
     return figure
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Draws what rme_limit_cycle --output DIR has written.
 
-Left, the path of the flange in the y-z plane: the turn before the attach, and what follows it with the estimator and
-without. Right, the distance to the cycle over time.
+Left, the path of the flange in the y-z plane: the turn before the attach, and what follows it, by who compensates.
+Right, the distance to the cycle over time.
 """
 import pathlib
 import sys
@@ -13,12 +13,13 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment
 from plotting import columns, main, plt
 
 RADIUS, TURN = 0.1, 2 * np.pi  # [m], [s]
-WITH, WITHOUT, BEFORE = "#0072b2", "#d55e00", "#9a9a9a"
+TRACKER, PUBLISHED, ALONE, BEFORE = "#0072b2", "#009e73", "#d55e00", "#9a9a9a"
 
 
 def draw(folder):
-    runs = [(columns(folder / "without.csv"), WITHOUT, "without the estimator"),
-            (columns(folder / "with.csv"), WITH, "with the estimator")]
+    runs = [(columns(folder / "alone.csv"), ALONE, "CPIC alone"),
+            (columns(folder / "published.csv"), PUBLISHED, "published pipeline"),
+            (columns(folder / "tracker.csv"), TRACKER, "tracker")]
     figure, (path, distance) = plt.subplots(1, 2, figsize=(9, 4), constrained_layout=True,
                                             gridspec_kw={"width_ratios": [1, 1.25]})
     angle = np.linspace(0, 2 * np.pi, 361)
@@ -33,7 +34,7 @@ def draw(folder):
         shown = run["t"] >= -TURN
         distance.plot(run["t"][shown], 1e3 * run["distance"][shown], color=colour)
     stopped = runs[0][0]
-    path.plot(1e3 * stopped["y"][-1], 1e3 * stopped["z"][-1], "o", color=WITHOUT, markersize=5)
+    path.plot(1e3 * stopped["y"][-1], 1e3 * stopped["z"][-1], "o", color=ALONE, markersize=5)
     attached = np.argmax(stopped["t"] >= 0)
     path.plot(1e3 * stopped["y"][attached], 1e3 * stopped["z"][attached], "s", color="black", markersize=5,
               label="attach")

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Draws what rme_prior_ablation --output DIR has written, after Figure 10 of the paper.
 
-Parity plots: each parameter's estimate over its truth, on the dotted line if perfect. A row for the network alone, one for
-each likelihood; a colour for each prior.
+Parity plots of the arms with link-side sensing: each parameter's estimate over its truth, on the dotted line if perfect.
+A row for the network alone, the published pipeline and the tracker, half a second after the attach; a colour for with
+the network and without.
 """
 import pathlib
 import sys
@@ -11,26 +12,28 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment
 from plotting import main, plt, read
 
 PARAMETERS = (("mass", "mass [kg]", 1), ("x", "x [mm]", 1e3), ("y", "y [mm]", 1e3), ("z", "z [mm]", 1e3))
-COLOURS = {"network": "#0072b2", "zero": "#d55e00", "fixed": "#bbbbbb"}
-TITLES = {"none": "network alone", "estimator": "estimator", "published": "published likelihood"}
+WITH, WITHOUT = "#0072b2", "#d55e00"
+ROWS = (("network alone", ((WITH, "network alone"),)),
+        ("published pipeline", ((WITHOUT, "published pipeline without network"), (WITH, "published pipeline"))),
+        ("tracker", ((WITHOUT, "tracker"), (WITH, "tracker with network"))))
 
 
 def draw(folder):
-    rows = read(folder / "data_sets.csv")
-    figure, axes = plt.subplots(len(TITLES), 4, figsize=(10, 7), constrained_layout=True, sharex="col", sharey="col")
-    for line, (likelihood, title) in zip(axes, TITLES.items()):
+    rows = [row for row in read(folder / "data_sets.csv") if row["sensing"] == "link side"]
+    figure, axes = plt.subplots(len(ROWS), 4, figsize=(10, 7), constrained_layout=True, sharex="col", sharey="col")
+    for line, (title, series) in zip(axes, ROWS):
         for ax, (name, label, unit) in zip(line, PARAMETERS):
-            for prior in ("fixed", "zero", "network"):
-                mine = [row for row in rows if (row["likelihood"], row["prior"]) == (likelihood, prior)]
-                ax.plot([unit * float(row[name]) for row in mine], [unit * float(row[f"{name}_estimate"]) for row in mine],
-                        ".", markersize=4, color=COLOURS[prior], label=f"{prior} prior" if mine else None)
-            truths = [unit * float(row[name]) for row in rows]
+            for colour, by in series:
+                mine = [row for row in rows if row["by"] == by]
+                ax.plot([unit * row[name] for row in mine], [unit * row[f"{name}_estimate"] for row in mine], ".",
+                        markersize=3, color=colour, label="with the network" if colour == WITH else "without")
+            truths = [unit * row[name] for row in rows]
             ax.plot([min(truths), max(truths)], [min(truths), max(truths)], color="grey", linestyle=":", linewidth=1)
             if ax in axes[0]:
                 ax.set_title(label)
             if ax in axes[-1]:
                 ax.set_xlabel("truth")
-        line[0].set_ylabel(f"{title}")
+        line[0].set_ylabel(title)
     axes[1, 0].legend(loc="upper left")
     return figure
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Draws what rme_sequential_interaction --output DIR has written.
 
-From above: the mass estimate against the truth, the position error, the distance of the nearest joint to its limit,
-with the estimator and without. Pushes are shaded.
+From above: the mass that is believed in against the truth, the position error, the distance of the nearest joint to its
+limit, by who compensates. Pushes are shaded.
 """
 import pathlib
 import sys
@@ -12,7 +12,8 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment"))
 from plotting import columns, main, plt
 
-WITH, WITHOUT, PUSH, FORBIDDEN = "#0072b2", "#d55e00", "#e8e8e8", "#f6d5d5"
+TRACKER, PUBLISHED, ALONE = "#0072b2", "#009e73", "#d55e00"
+PUSH, FORBIDDEN = "#e8e8e8", "#f6d5d5"
 
 
 def spans(t, active):
@@ -23,12 +24,12 @@ def spans(t, active):
 
 
 def draw(folder):
-    on, off = columns(folder / "with.csv"), columns(folder / "without.csv")
+    on, published, off = (columns(folder / f"{name}.csv") for name in ("tracker", "published", "alone"))
     figure, (mass, error, limit) = plt.subplots(3, 1, figsize=(7.2, 7.2), sharex=True, constrained_layout=True)
-    estimated = on["mass_std"] != on["mass_std"][0]  # not the prior any more
-    mass.fill_between(on["t"], on["mass"] - 2 * on["mass_std"], on["mass"] + 2 * on["mass_std"], where=estimated,
-                      color=WITH, alpha=0.3, linewidth=0)
-    mass.plot(on["t"], on["mass"], color=WITH, label="estimate, 2 std. dev.")
+    mass.fill_between(on["t"], on["mass"] - 2 * on["mass_std"], on["mass"] + 2 * on["mass_std"], color=TRACKER,
+                      alpha=0.3, linewidth=0)
+    mass.plot(published["t"], published["mass"], color=PUBLISHED, linewidth=1, label="published pipeline")
+    mass.plot(on["t"], on["mass"], color=TRACKER, label="tracker, 2 std. dev.")
     mass.plot(on["t"], on["m"], color="black", linestyle="--", linewidth=1, label="truth")
     mass.set_ylim(-0.1, 1.25 * on["m"].max())
     mass.set_ylabel("mass in the hand [kg]")
@@ -37,8 +38,9 @@ def draw(folder):
 
     for axis, name, scale, label in ((error, "error", 1e3, "position error [mm]"),
                                      (limit, "limit", 1, "distance to the nearest\njoint limit [rad]")):
-        axis.plot(off["t"], scale * off[name], color=WITHOUT, label="without the estimator")
-        axis.plot(on["t"], scale * on[name], color=WITH, label="with the estimator")
+        axis.plot(off["t"], scale * off[name], color=ALONE, label="CPIC alone")
+        axis.plot(published["t"], scale * published[name], color=PUBLISHED, label="published pipeline")
+        axis.plot(on["t"], scale * on[name], color=TRACKER, label="tracker")
         axis.set_ylabel(label)
     error.set_ylim(bottom=0)
     error.legend(loc="upper right")

@@ -1,6 +1,7 @@
 // sequential_interaction: a basket is hung on the arm, two objects are put in and taken out again, the basket is taken
 // off, and after each of these somebody pushes the arm. Is every change of the payload found, no push taken for one,
-// and does the arm stay where it should? Without the estimator it sinks until a joint limit holds it.
+// and does the arm stay where it should? Alone it sinks until a joint limit holds it; the published pipeline takes
+// pushes for payloads.
 //
 // The arm holds a low pose near its base, 0.13 rad from the lower limit of joint 4, under CPIC. Two of the hand-overs
 // take half a second. Pushes are 5 to 15 N for 0.5 to 1.5 s, within 45 degrees of the horizontal: straight down, a push
@@ -21,7 +22,8 @@ using Eigen::Vector3d;
 
 constexpr double kJudged = 1.5;                // after a change begins [s]
 constexpr double kTarget = 0.006;              // position error then [m]
-constexpr double kFound = 0.1;                 // an estimate this near to the truth has found the change [kg]
+constexpr double kFound = 0.1;                 // a belief this near to the truth has found the change [kg]
+constexpr double kCarried = 0.2;               // for which a push may pass for a payload [s]
 const double kHeld = 2 * HostConfig().margin;  // this near to its limit, a joint is held by its barrier [rad]
 constexpr double kSlow = 0.5;                  // hand-over [s]
 constexpr double kBetween = 10;                // from one change to the next [s]
@@ -29,13 +31,14 @@ const Trial::Vector kPose = (Trial::Vector() << 0, -0.93, 0, -2.94, 0, 2.02, 0.7
 
 constexpr const char* kUsage = R"(usage: rme_sequential_interaction [options]
 
-A basket and two objects come and go, a person pushes in between, with the estimator and without.
+A basket and two objects come and go, a person pushes in between; compensated by nobody, by the published pipeline, and
+by the tracker.
 
   --runs N          through the whole sequence (default 5; 1 of them, without object 2, with --quick)
 )";
 
 constexpr const char* kExitCodes = R"(
-Exit codes: 0 with the estimator every change is found, no push is taken for a payload, joint limits are kept, and the
+Exit codes: 0 with the tracker every change is found, no push is taken for a payload, joint limits are kept, and the
 position error 1.5 s after each change is at most 6 mm (with --friction, which holds the arm back anywhere, it is only
 reported); 1 otherwise; 2 unusable arguments.
 )";
@@ -86,41 +89,40 @@ double distance_to_limit(const SyntheticArm<7>& arm) {
 
 /// What was made of a change, until somebody pushes.
 struct Finding {
-  double truth = 0;                      // mass of all that is in the hand [kg]
-  double mass = 0, deviation = 0;        // of the latest final estimate [kg]
-  std::optional<double> carried, final;  // first early estimate, first final one, after the change began [s]
-  double position = 0;                   // position error kJudged after that [m]
-  double limit = 10;                     // least distance of a joint to its limit [rad]
+  double truth = 0;                // mass of all that is in the hand [kg]
+  double mass = 0, deviation = 0;  // believed before the push comes [kg]
+  std::optional<double> carried;   // from then on, what is believed is within kFound of the truth [s] after the change
+  double position = 0;             // position error kJudged after that [m]
+  double limit = 10;               // least distance of a joint to its limit [rad]
 
-  void update(const Trial& trial, double t) {
+  void update(const Trial& trial, Method method, double t) {
+    const auto& belief = trial.belief(method);
     truth = trial.arm.payload().mass;
-    if (trial.estimator.refreshed() && !carried) carried = t;
-    if (trial.estimator.estimated()) {
-      if (!final) final = t;
-      mass = trial.estimator.estimate().posterior.mean[0];
-      deviation = trial.estimator.estimate().posterior.standard_deviation()[0];
-    }
+    mass = belief.mean[0];
+    deviation = belief.standard_deviation()[0];
+    if (std::abs(mass - truth) >= kFound)
+      carried.reset();
+    else if (!carried)
+      carried = t;
     if (t < kJudged + kPeriod / 2) position = trial.position_error().norm();
     limit = std::min(limit, distance_to_limit(trial.arm));
   }
-  bool found() const { return final && std::abs(mass - truth) < kFound; }
+  bool found() const { return carried.has_value(); }
 };
 
 /// What was made of a push, from its start to the next change.
 struct Endurance {
-  int mistakes = 0;   // final estimates that are not what is in the hand
-  int again = 0;      // and those that are: a tilted arm tells more of the centre of mass
-  double lifted = 0;  // most of it that was carried as if it were a payload [kg]
-  double work = 0;    // of the person on the arm [J]
-  double gain = 0;    // largest rise of stored minus supplied energy [J]
-  double limit = 10;  // least distance of a joint to its limit [rad]
+  double mistaken = 0;  // longest time for which more than kFound of it was taken for a payload [s]
+  double lifted = 0;    // most of it that was taken for one [kg]
+  double work = 0;      // of the person on the arm [J]
+  double gain = 0;      // largest rise of stored minus supplied energy [J]
+  double limit = 10;    // least distance of a joint to its limit [rad]
 
-  explicit Endurance(double mass) : mass_(mass) {}
-  void update(const Trial& trial, const Vector3d& force) {
-    const auto& estimate = trial.estimator.estimate();
-    if (trial.estimator.estimated())
-      ++(std::abs(estimate.posterior.mean[0] - trial.arm.payload().mass) < kFound ? again : mistakes);
-    lifted = std::max(lifted, std::abs(estimate.confidence * (estimate.posterior.mean[0] - mass_)));
+  void update(const Trial& trial, Method method, const Vector3d& force) {
+    const double wrong = std::abs(trial.belief(method).mean[0] - trial.arm.payload().mass);
+    since_ = wrong >= kFound ? since_ + kPeriod : 0;
+    mistaken = std::max(mistaken, since_);
+    lifted = std::max(lifted, wrong);
     work += kPeriod * force.dot(trial.arm.kinematics().jacobian.topRows<3>() * trial.arm.dq());
     books_.update(trial.arm, trial.host, force);
     lowest_ = std::min(lowest_, books_.residual());
@@ -130,7 +132,7 @@ struct Endurance {
 
  private:
   EnergyBooks books_{kPeriod};
-  double mass_;        // of the estimate when the push began [kg]
+  double since_ = 0;   // [s]
   double lowest_ = 0;  // of the books' residual [J]
 };
 
@@ -140,13 +142,13 @@ struct Outcome {
   std::vector<Endurance> endurances;
 };
 
-Outcome run_sequence(const Setup& setup, std::uint64_t number, bool compensate, CsvFile* csv) {
+Outcome run_sequence(const Setup& setup, std::uint64_t number, Method method, CsvFile* csv) {
   std::mt19937_64 random(setup.seed * 7919 + number);
   std::normal_distribution<double> spread(0, 0.03);
   Trial::Vector q = kPose;
   for (double& angle : q) angle += spread(random);
   const std::vector<Change> script = draw_script(random, setup.quick);
-  Trial trial(setup.arm(number), HostConfig::hold(panda(), q), q, compensate);
+  Trial trial(setup.arm(number), HostConfig::hold(panda(), q), q, method);
   SyntheticArm<7>& arm = trial.arm;
 
   const auto tick = [&](const Vector3d& force, const auto& observe) {
@@ -154,8 +156,8 @@ Outcome run_sequence(const Setup& setup, std::uint64_t number, bool compensate, 
     const Trial::Vector torque = trial.command();
     observe();
     if (csv && std::lround(arm.time() / kPeriod) % 20 == 0) {
-      const auto& posterior = trial.estimator.estimate().posterior;
-      csv->row(arm.time(), arm.payload().mass, posterior.mean[0], posterior.standard_deviation()[0],
+      const auto& belief = trial.belief(method);
+      csv->row(arm.time(), arm.payload().mass, belief.mean[0], belief.standard_deviation()[0],
                trial.position_error().norm(), distance_to_limit(arm), force.norm());
     }
     arm.step(torque);
@@ -173,21 +175,21 @@ Outcome run_sequence(const Setup& setup, std::uint64_t number, bool compensate, 
     else
       arm.detach(handle, change.ramp);
     Finding& finding = outcome.findings.emplace_back();
-    const auto wait = [&] { finding.update(trial, arm.time() - change.start); };
+    const auto wait = [&] { finding.update(trial, method, arm.time() - change.start); };
     while (is_before(change.push.start)) tick(Vector3d::Zero(), wait);
-    Endurance& endurance = outcome.endurances.emplace_back(trial.estimator.estimate().posterior.mean[0]);
+    Endurance& endurance = outcome.endurances.emplace_back();
     const double end = i + 1 < script.size() ? script[i + 1].start : change.start + kBetween;
     while (is_before(end)) {
       const Vector3d force = change.push.at(arm.time());
-      tick(force, [&] { endurance.update(trial, force); });
+      tick(force, [&] { endurance.update(trial, method, force); });
     }
   }
   return outcome;
 }
 
-/// All runs, with the estimator or without.
+/// All runs with one method.
 struct Summary {
-  int runs = 0, changes = 0, found = 0, mistakes = 0, again = 0;
+  int runs = 0, changes = 0, found = 0, mistakes = 0;
   int sunk = 0;                           // runs in which a joint came to rest at its barrier, nobody pushing
   double mass_error = 0;                  // mean absolute, of the changes found [kg]
   double position = 0, worst = 0;         // kJudged after a change, mean and worst [m]
@@ -209,8 +211,7 @@ struct Summary {
       resting = std::min(resting, rest);
       sunk += rest < kHeld;
       for (const Endurance& endurance : outcome.endurances) {
-        mistakes += endurance.mistakes > 0;
-        again += endurance.again > 0;
+        mistakes += endurance.mistaken > kCarried;
         lifted = std::max(lifted, endurance.lifted);
         work = std::max(work, endurance.work);
         gain = std::max(gain, endurance.gain);
@@ -222,16 +223,16 @@ struct Summary {
   }
 };
 
-void print_run(const Outcome& with, const Outcome& without, const std::vector<Change>& script) {
-  MarkdownTable table({"change", "truth [kg]", "estimate ± std. dev. [kg]", "carried after [s]", "final after [s]",
-                       "position error [mm]", "without the estimator [mm]"});
+void print_run(const std::array<Outcome, kMethods.size()>& runs, const std::vector<Change>& script) {
+  MarkdownTable table({"change", "truth [kg]", "published pipeline [kg]", "after [s]", "tracker ± std. dev. [kg]",
+                       "after [s]", "position error: alone [mm]", "published pipeline", "tracker"});
   const auto after = [](const std::optional<double>& t) { return t ? text("%.2f", *t) : text("never"); };
   for (std::size_t i = 0; i < script.size(); ++i) {
-    const Finding& finding = with.findings[i];
-    table.row({script[i].name, text("%.3f", finding.truth),
-               finding.final ? text("%.3f ± %.3f", finding.mass, finding.deviation) : text("none"),
-               after(finding.carried), after(finding.final), text("%.1f", 1e3 * finding.position),
-               text("%.1f", 1e3 * without.findings[i].position)});
+    const Finding &alone = runs[0].findings[i], &published = runs[1].findings[i], &tracker = runs[2].findings[i];
+    table.row({script[i].name, text("%.3f", tracker.truth), text("%.3f", published.mass), after(published.carried),
+               text("%.3f ± %.3f", tracker.mass, tracker.deviation), after(tracker.carried),
+               text("%.1f", 1e3 * alone.position), text("%.1f", 1e3 * published.position),
+               text("%.1f", 1e3 * tracker.position)});
   }
   table.print();
 }
@@ -242,42 +243,48 @@ int run(Arguments& arguments) {
   arguments.finish();
 
   constexpr const char* columns = "t,m,mass,mass_std,error,limit,push";
-  CsvFile course_without(setup.output, "without.csv", columns), course_with(setup.output, "with.csv", columns);
-  std::vector<Outcome> without, with;
+  std::array<CsvFile, kMethods.size()> courses = {CsvFile(setup.output, "alone.csv", columns),
+                                                  CsvFile(setup.output, "published.csv", columns),
+                                                  CsvFile(setup.output, "tracker.csv", columns)};
+  std::array<std::vector<Outcome>, kMethods.size()> outcomes;
   for (std::size_t k = 1; k <= runs; ++k) {
-    without.push_back(run_sequence(setup, k, false, k == 1 ? &course_without : nullptr));
-    with.push_back(run_sequence(setup, k, true, k == 1 ? &course_with : nullptr));
+    for (std::size_t i = 0; i < kMethods.size(); ++i)
+      outcomes[i].push_back(run_sequence(setup, k, kMethods[i], k == 1 ? &courses[i] : nullptr));
     progress("sequential_interaction", k, runs);
   }
 
-  std::printf("%s, %zu run(s), seed %llu. Of the first run, the position error %.1f s after each change began:\n\n",
-              setup.name().c_str(), runs, static_cast<unsigned long long>(setup.seed), kJudged);
+  std::printf(
+      "%s, %zu run(s), seed %llu. Of the first run: the mass believed before the push comes, since when it was within\n"
+      "%.1f kg for good, and the position error %.1f s after each change began:\n\n",
+      setup.name().c_str(), runs, static_cast<unsigned long long>(setup.seed), kFound, kJudged);
   std::mt19937_64 any;
-  print_run(with.front(), without.front(), draw_script(any, setup.quick));
+  print_run({outcomes[0].front(), outcomes[1].front(), outcomes[2].front()}, draw_script(any, setup.quick));
 
-  const Summary a(with), b(without);
-  MarkdownTable summary({"all runs", "with the estimator", "without"});
-  summary.row({"changes found, to 0.1 kg", text("%d of %d", a.found, a.changes), text("%d of %d", b.found, b.changes)});
-  const auto row = [&](const char* what, double on, double off) {
-    summary.row({what, text("%.1f", on), text("%.1f", off)});
+  const std::array<Summary, kMethods.size()> all = {Summary(outcomes[0]), Summary(outcomes[1]), Summary(outcomes[2])};
+  MarkdownTable summary({"all runs", "CPIC alone", "published pipeline", "tracker"});
+  const auto row = [&](const char* what, bool of_alone, const auto& cell) {
+    summary.row({what, of_alone ? cell(all[0]) : text(""), cell(all[1]), cell(all[2])});
   };
-  row("mean absolute error of the total mass [g]", 1e3 * a.mass_error, 1e3 * b.mass_error);
-  row("position error after a change, mean [mm]", 1e3 * a.position, 1e3 * b.position);
-  row("position error after a change, worst [mm]", 1e3 * a.worst, 1e3 * b.worst);
-  summary.row(
-      {"pushes taken for a payload", text("%d of %d", a.mistakes, a.changes), text("%d of %d", b.mistakes, b.changes)});
-  summary.row({"pushes after which the same payload was found again", text("%d of %d", a.again, a.changes),
-               text("%d of %d", b.again, b.changes)});
-  row("most of a push that was carried [g]", 1e3 * a.lifted, 1e3 * b.lifted);
-  summary.row({"runs in which the arm sank to a joint limit", text("%d of %d", a.sunk, a.runs),
-               text("%d of %d", b.sunk, b.runs)});
-  row("least distance to a joint limit, nobody pushing [mrad]", 1e3 * a.resting, 1e3 * b.resting);
-  row("least distance to a joint limit, from the push on [mrad]", 1e3 * a.pushed, 1e3 * b.pushed);
-  row("most work of a push on the arm [mJ]", 1e3 * a.work, 1e3 * b.work);
-  row("largest rise of stored - supplied energy then [mJ]", 1e3 * a.gain, 1e3 * b.gain);
+  const auto number = [&](const char* what, bool of_alone, double Summary::*member) {
+    row(what, of_alone, [member](const Summary& s) { return text("%.1f", 1e3 * s.*member); });
+  };
+  row("changes found, to 0.1 kg", false, [](const Summary& s) { return text("%d of %d", s.found, s.changes); });
+  number("mean absolute error of the total mass then [g]", false, &Summary::mass_error);
+  number("position error after a change, mean [mm]", true, &Summary::position);
+  number("position error after a change, worst [mm]", true, &Summary::worst);
+  row("pushes taken for 0.1 kg and more, over 0.2 s", false,
+      [](const Summary& s) { return text("%d of %d", s.mistakes, s.changes); });
+  number("most of a push that was taken for payload [g]", false, &Summary::lifted);
+  row("runs in which the arm sank to a joint limit", true,
+      [](const Summary& s) { return text("%d of %d", s.sunk, s.runs); });
+  number("least distance to a joint limit, nobody pushing [mrad]", true, &Summary::resting);
+  number("least distance to a joint limit, from the push on [mrad]", true, &Summary::pushed);
+  number("most work of a push on the arm [mJ]", true, &Summary::work);
+  number("largest rise of stored - supplied energy then [mJ]", true, &Summary::gain);
   summary.print();
-  const bool kept = std::min(a.resting, a.pushed) >= 0 && (setup.friction || a.worst <= kTarget);
-  return a.found == a.changes && a.mistakes == 0 && kept ? 0 : 1;
+  const Summary& tracker = all[2];
+  const bool kept = std::min(tracker.resting, tracker.pushed) >= 0 && (setup.friction || tracker.worst <= kTarget);
+  return tracker.found == tracker.changes && tracker.mistakes == 0 && kept ? 0 : 1;
 }
 
 }  // namespace

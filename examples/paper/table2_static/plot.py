@@ -18,12 +18,14 @@ def draw(folder):
     masses = sorted(PUBLISHED)
     for axis, (key, title), index in zip(axes, PARAMETERS, range(4)):
         for place, mass in enumerate(masses):
-            mine = [row for row in rows if row["m"] == mass]
+            for method, colour, left in (("published pipeline", COLOURS[2], -0.45), ("tracker", COLOURS[0], -0.12),
+                                         ("tracker told of the sensing", COLOURS[5], 0.2)):
+                mine = [row for row in rows if row["m"] == mass and row["method"] == method]
+                at = [place + left + 0.25 * (k + 0.5) / len(mine) for k in range(len(mine))]
+                axis.errorbar(at, [1e3 * row[f"{key}_error"] for row in mine],
+                              yerr=[1.645e3 * row[f"{key}_std"] for row in mine], fmt=".", markersize=3, linewidth=0.8,
+                              color=colour, label=f"{method}, 90 % intervals" if place == 0 else None)
             truth = {"m": mass, "x": mine[0]["rx"], "y": mine[0]["ry"], "z": mine[0]["rz"]}[key]
-            at = [place + 0.5 * (k + 0.5) / len(mine) - 0.25 for k in range(len(mine))]
-            axis.errorbar(at, [1e3 * row[f"{key}_error"] for row in mine],
-                          yerr=[1.645e3 * row[f"{key}_std"] for row in mine], fmt=".", markersize=3, linewidth=0.8,
-                          color=COLOURS[0], label="rme, each trial with its 90 % interval" if place == 0 else None)
             axis.plot(place, 1e3 * (PUBLISHED[mass][index] - truth), "x", color=COLOURS[1],
                       label="published mean of ten, real arm" if place == 0 else None)
         axis.axhline(0, color="grey", linewidth=0.8, zorder=0)

@@ -11,19 +11,22 @@ INTERVALS = (0.05, 0.1, 0.2, 0.3)
 
 
 def draw(folder):
-    """Root of the mean squared errors over the length of the data, published and ours."""
+    """Root of the mean squared errors over the length of the data, of all."""
     rows = read(folder / "errors.csv")
     figure, axes = plt.subplots(1, 4, figsize=(10, 2.6), constrained_layout=True)
     for axis, key in zip(axes, PUBLISHED):
         axis.plot([1e3 * t for t in INTERVALS], [1e3 * (1e-3 * e) ** 0.5 for e in PUBLISHED[key]], "x-",
                   color=COLOURS[1], label="published, real arm")
-        for since, style, label in (("detection", "o-", "rme, since the detection"), ("attach", "o:", "rme, since the attach")):
+        for who, style, colour, label in (("first", "o:", COLOURS[2], "published pipeline, first estimate"),
+                                          ("last", "o-", COLOURS[2], "published pipeline, last estimate"),
+                                          ("tracker", "o:", COLOURS[0], "tracker, since the attach"),
+                                          ("told", "o-", COLOURS[0], "tracker told of the sensing")):
             points = []
             for interval in INTERVALS:
-                errors = [row[f"{key}_error"] for row in rows if row["since"] == since and row["interval"] == interval]
+                errors = [row[f"{key}_error"] for row in rows if row["who"] == who and row["interval"] == interval]
                 if errors:
                     points.append((1e3 * interval, 1e3 * (sum(e * e for e in errors) / len(errors)) ** 0.5))
-            axis.plot(*zip(*points), style, color=COLOURS[0], markersize=4, label=label)
+            axis.plot(*zip(*points), style, color=colour, markersize=4, label=label)
         axis.set_yscale("log")
         axis.set_xticks([1e3 * t for t in INTERVALS])
         axis.set_xlabel("data [ms]")

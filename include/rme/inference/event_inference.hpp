@@ -8,7 +8,7 @@
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
-#include <rme/inference/event_evidence.hpp>
+#include <rme/inference/evidence.hpp>
 #include <rme/inference/inference_result.hpp>
 #include <rme/inference/model_average.hpp>
 #include <rme/inference/payload_gaussian.hpp>

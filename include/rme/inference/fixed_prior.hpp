@@ -6,8 +6,7 @@
 namespace rme {
 
 /// What hands usually pick up: 0.8 +- 0.6 kg, 10 +- 6 cm ahead of the flange and within 5 cm of its axis.
-/// A prior source (see Estimator): called once per estimate with the window, whose newest `count` samples were
-/// collected.
+/// Called as NetworkPrior is, whatever the window.
 template <typename Scalar>
 struct FixedPrior {
   PayloadGaussian<Scalar> gaussian = PayloadGaussian<Scalar>::independent(

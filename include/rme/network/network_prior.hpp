@@ -1,5 +1,5 @@
 #pragma once
-/// The network's guess as the estimator's prior.
+/// The network's guess as a prior.
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <cstddef>
@@ -30,20 +30,22 @@ struct NetworkPriorConfig {
   Scalar damping = Scalar(0.01);  ///< lambda of the pseudo-wrench, as in training, > 0; the published one by default
 };
 
-/// A prior source for Estimator: a Gaussian centred on the network's output, except along gravity. Where the centre of
-/// mass lies along gravity does not show at rest, so that the network's guess there is only noise around the mean of
-/// its training; the fixed prior's says as much without it. With d the direction of gravity in end-effector axes,
+/// A Gaussian centred on the network's output, except along gravity. Where the centre of mass lies along gravity does
+/// not show at rest, so that the network's guess there is only noise around the mean of its training; the fixed prior's
+/// says as much without it. With d the direction of gravity in end-effector axes,
 ///
 ///     r = (1 - d d^T) r_network + d d^T r_fixed, and the covariance likewise.
 ///
-/// A payload far outside the training distribution is not dragged back into it: the mass is free to follow the window,
-/// and a window that is foreign to the network is recognised, and the fixed prior used instead.
+/// A window that is foreign to the network is recognised, and the fixed prior used instead. What a guess is worth:
+/// docs/weights.md.
 ///
-///     const auto network = std::make_unique<MismatchNetwork<float>>(model.weights);  // must outlive the estimator
-///     EventEstimator<double, 7, NetworkPrior<double>> estimator(0.001, {}, NetworkPrior<double>(*network, 0.001));
+///     const auto network = std::make_unique<MismatchNetwork<float>>(model.weights);  // must outlive the prior
+///     const NetworkPrior<double> prior(*network, 0.001);
+///     PayloadGaussian<double> payload = prior(window, 200);  // of the newest 200 samples of a SampleWindow
 ///
-/// @tparam NetworkScalar  of the network. Weights are learned in float, and a network in float serves an estimator in
-///                        double as well as one in double would, in half the time and half the memory
+/// @tparam NetworkScalar  of the network. Weights are learned in float, and a network in float serves a prior in double
+/// as
+///                        well as one in double would, in half the time and half the memory
 template <typename Scalar, typename Architecture = PublishedArchitecture, typename NetworkScalar = float>
 class NetworkPrior {
  public:
@@ -60,7 +62,7 @@ class NetworkPrior {
   template <int Dofs>
   bool guess(const SampleWindow<Scalar, Dofs>& window, std::size_t count, Vector4<Scalar>& out) const noexcept;
 
-  /// The prior of an event whose newest `count` samples were collected.
+  /// The prior of a payload, of which the newest `count` samples of the window show something.
   template <int Dofs>
   PayloadGaussian<Scalar> operator()(const SampleWindow<Scalar, Dofs>& window, std::size_t count) const noexcept;
 

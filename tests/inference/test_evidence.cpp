@@ -1,6 +1,6 @@
 #include <cmath>
 #include <limits>
-#include <rme/inference/event_evidence.hpp>
+#include <rme/inference/evidence.hpp>
 
 #include "support/catch.hpp"
 #include "support/linear_algebra.hpp"

@@ -1,0 +1,107 @@
+// What the estimator learns of its arm, and has to live with.
+#include <cmath>
+#include <rme/estimator.hpp>
+#include <synthetic_arm/panda.hpp>
+#include <synthetic_arm/pose_impedance.hpp>
+#include <synthetic_arm/synthetic_arm.hpp>
+
+#include "support/catch.hpp"
+#include "support/held_arm.hpp"
+
+namespace {
+
+using namespace rme::examples;
+using rme::Status;
+using rme::testing::HeldArm;
+
+constexpr double kPeriod = HeldArm::kPeriod;
+
+/// A Panda under an impedance law, with the estimator's compensation, that swings about its ready pose when asked to.
+class Host {
+ public:
+  Host(std::uint64_t seed, bool friction) : arm(panda(), faults(seed, friction), panda().ready) {}
+
+  void run(double seconds, double swing = 0) {
+    const double begin = arm.time();
+    while (arm.time() < begin + seconds) {
+      const double t = arm.time() - begin, share = std::sin(M_PI * t / seconds);
+      PoseImpedance<7>::Vector q = panda().ready;
+      for (int j = 0; j < 7; ++j) q[j] += swing * share * share * std::sin((1.3 + 0.2 * j) * t);
+      controller_ = PoseImpedance<7>(panda(), q);
+      const auto& [position, rotation, jacobian] = arm.kinematics();
+      REQUIRE(estimator.update({arm.tau_ext(), jacobian, rotation, arm.dq()}) == Status::Ok);
+      arm.step(controller_.torque(arm.q(), arm.dq(), arm.kinematics(), arm.dynamics()) +
+               estimator.compensation(jacobian, rotation));
+    }
+  }
+
+  SyntheticArm<7> arm;
+  rme::Estimator<double, 7> estimator{kPeriod};
+
+ private:
+  static SyntheticArmConfig<7> faults(std::uint64_t seed, bool friction) {
+    auto config = with_typical_faults(panda(), seed);
+    if (!friction) config.friction = {};
+    return config;
+  }
+  PoseImpedance<7> controller_{panda(), panda().ready};
+};
+
+TEST_CASE("Estimator: what kind of arm it is on shows in motion, and is remembered from one payload to the next",
+          "[estimator]") {
+  for (const bool friction : {false, true}) {
+    for (const std::uint64_t seed : {1u, 2u}) {
+      CAPTURE(friction, seed);
+      Host host(seed, friction);
+      host.run(1);
+      host.run(6, 0.3);
+      const auto& state = host.estimator.state();
+      const auto known = [&] { return friction ? state.friction_shows > 0.99 : state.friction_shows < 0.01; };
+      CHECK(known());
+      for (const double mass : {0.3, 0.8, 1.6}) {
+        CAPTURE(mass);
+        const int handle = host.arm.attach(box(mass, {0.02, 0.01, 0.1}, {0.06, 0.06, 0.1}));
+        host.run(0.5);
+        CHECK_FALSE(state.empty());
+        CHECK(std::abs(state.payload.mean[0] - mass) < (friction ? 0.06 : 0.01));
+        host.arm.detach(handle);
+        host.run(0.5);
+        CHECK(state.empty());
+        CHECK(known());
+      }
+    }
+  }
+}
+
+TEST_CASE("Estimator: a model that is off by half a newton metre, elsewhere in each pose, delays no event",
+          "[estimator]") {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    CAPTURE(seed);
+    HeldArm arm(seed);
+    rme::Estimator<double, 7> estimator(kPeriod);
+    const auto& state = estimator.state();
+    const HeldArm::Vector ready = arm.pose();
+    const auto run = [&](double seconds) {
+      for (int k = 0; k < static_cast<int>(seconds / kPeriod); ++k) {
+        if (!arm.moving()) arm.move(ready.array() + (arm.pose()[0] < ready[0] ? 0.3 : -0.3), 3);
+        auto sample = arm.tick();
+        for (int j = 0; j < 7; ++j) sample.tau_ext[j] += (j < 4 ? 0.5 : 0.2) * std::sin(4 * arm.pose()[j] + j);
+        REQUIRE(estimator.update(sample) == Status::Ok);
+      }
+    };
+    run(6);
+    CHECK(state.payload.mean[0] < 0.1);  // 0.5 N m are 0.09 kg there
+    for (const double mass : {1.2, 0.0, 0.8, 0.0}) {
+      CAPTURE(mass);
+      const int before = state.event.number;
+      arm.hold({mass, {0.02, 0.01, 0.1}});
+      run(0.6);
+      CHECK(state.event.number > before);
+      CHECK(std::abs(state.payload.mean[0] - mass) < 0.2);
+      run(2);
+      CHECK(std::abs(state.payload.mean[0] - mass) < 0.15);
+    }
+  }
+}
+
+}  // namespace
