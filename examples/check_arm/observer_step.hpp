@@ -1,9 +1,11 @@
 #pragma once
 /// How fast an arm's observer is, from a step in its external torque: somebody hung something on the resting arm, or
 /// took it away.
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace rme::examples {
@@ -37,10 +39,9 @@ double fastest_step(const std::vector<double>& t, const std::vector<Vector>& tau
     for (std::size_t i = a; i < d && rests && !dq.empty(); ++i) rests = dq[i].norm() < kRests;
     if (!rests) continue;
     for (Eigen::Index j = 0; j < tau_ext[a].size(); ++j) {
-      const auto [before, noise_before] = mean_and_noise(a, b, j);
-      const auto [after, noise_after] = mean_and_noise(c, d, j);
-      const double step = after - before;
-      if (!(std::abs(step) > kClear * std::max(noise_before, noise_after)) || std::abs(step) < kLeast) continue;
+      const std::pair<double, double> start = mean_and_noise(a, b, j), end = mean_and_noise(c, d, j);
+      const double before = start.first, step = end.first - before;
+      if (!(std::abs(step) > kClear * std::max(start.second, end.second)) || std::abs(step) < kLeast) continue;
       const auto reached = [&](double share) {  // between rows, linearly
         std::size_t i = b;
         while (i < c && (tau_ext[i][j] - before) / step < share) ++i;
