@@ -69,22 +69,21 @@ struct Regression {
     }
     return A.selfadjointView<Eigen::Lower>().ldlt().solve(b);
   }
-  /// Weighted mean square of what is left; offsets are those of the tested half.
+  /// Sum of squares of what is left [(N m)^2]; offsets are those of the tested half.
   double test(int half, const Eigen::VectorXd& x) const {
     double sum = 0;
     for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(joints.size()); ++j) {
-      double total = 0, square = 0, count = 0, w = 0;
+      double total = 0, square = 0, count = 0;
       for (std::size_t k = 0; k < logs.size(); ++k) {
         for (Eigen::Index i = 0; i < logs[k].blocks(); ++i) {
           if (!counts(logs[k], i, half) || !usable(k, i, j)) continue;
           const double e = logs[k].tau(i, j) - row(k, i, j).dot(x);
-          w = weight(joints[static_cast<std::size_t>(j)], logs[k].duration[i]);
           total += e;
           square += e * e;
           ++count;
         }
       }
-      if (count > 0) sum += w * (square - total * total / count);
+      if (count > 0) sum += square - total * total / count;
     }
     return sum;
   }
