@@ -145,7 +145,7 @@ TEST_CASE("ActiveSetSolver: rows that repeat each other at any scale are one row
   }
   REQUIRE(rows.add(Vector2(3, 1), 0.7 * (1 - 1e-9)) == rme::Status::Ok);
   REQUIRE(rows.add(Vector2(3, 1), -rows.kFree, 0.7) == rme::Status::Ok);  // together an equality
-  REQUIRE(rows.add(Vector2::Zero(), 5) == rme::Status::Ok);               // constrains nothing
+  REQUIRE(rows.add(Vector2::Zero(), -5) == rme::Status::Ok);              // constrains nothing
   CHECK(solver.solve(kIdentity, Vector2::Zero(), rows, -kFar, kFar) == rme::Status::Ok);
   CHECK((solver.solution() - Vector2(0.21, 0.07)).norm() < 1e-15);  // 0.7 (3, 1) / 10
 }
@@ -160,6 +160,9 @@ TEST_CASE("ConstraintRows: what cannot be a row is not added", "[qp]") {
   CHECK(rows.add(Vector2(1, 0), 0, 1, nan) == rme::Status::NonFiniteInput);
   CHECK(rows.add(Vector2(1, 0), 0, 1, 0) == rme::Status::NonFiniteInput);
   CHECK(rows.add(Vector2(1, 0), 1, 0) == rme::Status::Infeasible);
+  CHECK(rows.add(Vector2::Zero(), 5) == rme::Status::Infeasible);
+  CHECK(rows.add(Vector2::Zero(), -rows.kFree, -5) == rme::Status::Infeasible);
+  CHECK(rows.add(Vector2(1e-200, 0), 5) == rme::Status::Infeasible);  // zero for all that can be done about it
   CHECK(rows.size() == 0);
   CHECK(rows.add_axis(1, 0, 1) == rme::Status::Ok);
   CHECK(rows.add(Vector2(1, 0), 0) == rme::Status::Ok);

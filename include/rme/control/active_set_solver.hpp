@@ -6,6 +6,7 @@
 #include <limits>
 #include <rme/control/constraint_rows.hpp>
 #include <rme/control/detail/active_factor.hpp>
+#include <rme/control/detail/metric_root.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <utility>
@@ -51,11 +52,19 @@ class ActiveSetSolver {
   /// @return Ok; Infeasible: the hard rows do not hold together, solution() violates them least; NotConverged:
   ///         kMaxIterations was reached or a row is missed by more than kTolerance, solution() is only known to lie in
   ///         the box
-  Status solve(const Matrix& P, const Vector& x_u, const Rows& rows, const Vector& x_min, const Vector& x_max) noexcept;
+  Status solve(const Matrix& P, const Vector& x_u, const Rows& rows, const Vector& x_min,
+               const Vector& x_max) noexcept {
+    P_ = &P;
+    B_ = nullptr;
+    return run(x_u, rows, x_min, x_max);
+  }
   /// The same from a root B of P = B^T B, of full column rank: faster, and with small eigenvalues that the entries of P
   /// would lose to rounding.
   Status solve_from_root(const Root& B, const Vector& x_u, const Rows& rows, const Vector& x_min,
-                         const Vector& x_max) noexcept;
+                         const Vector& x_max) noexcept {
+    B_ = &B;
+    return run(x_u, rows, x_min, x_max);
+  }
   /// Forgets the active set, so that the next solve starts cold, and the solution.
   void reset() noexcept {
     count_ = iterations_ = 0;
@@ -104,7 +113,6 @@ class ActiveSetSolver {
   };
 
   Status run(const Vector& x_u, const Rows& rows, const Vector& x_min, const Vector& x_max) noexcept;
-  void factorise() noexcept;
   void make(int row, Scalar sign, Active& a) noexcept;
   Scalar compliance(const Active& a) const noexcept;
   void push(int row, Scalar sign) noexcept;

@@ -83,7 +83,9 @@ class Cpic {
   /// Forgets torque and active set.
   void reset() noexcept;
 
-  const Vector& torque() const noexcept { return torque_; }                       ///< tau* [N m]
+  const Vector& torque() const noexcept { return torque_; }  ///< tau* [N m]
+  /// M^-1 (tau* - h) [rad/s^2]: the acceleration on which the rows were held.
+  const Vector& acceleration() const noexcept { return acceleration_; }
   const Vector& unconstrained_torque() const noexcept { return unconstrained_; }  ///< J^T F_c + N tau_0 [N m]
   /// lambda_i: >= 0 if row i pushes at its lower bound, <= 0 at its upper, 0 if inactive.
   Scalar multiplier(int row) const noexcept { return solver_.multiplier(row); }
@@ -109,6 +111,7 @@ class Cpic {
   Rows torque_rows_;  // the rows of ddq, written for tau
   Vector torque_ = Vector::Zero();
   Vector unconstrained_ = Vector::Zero();
+  Vector acceleration_ = Vector::Zero();
 };
 
 template <typename Scalar, int Dofs, int MaxRows>
@@ -137,6 +140,7 @@ void Cpic<Scalar, Dofs, MaxRows>::reset() noexcept {
   solver_.reset();
   torque_.setZero();
   unconstrained_.setZero();
+  acceleration_.setZero();
 }
 
 /// B with B^T B = (J^T W^-2 J + N / eps) / 2: the rows of W^-1 J and of Z^T / sqrt(eps), N = Z Z^T, over sqrt(2). Near
@@ -199,6 +203,7 @@ Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input,
   null_space_ = null_space;
   unconstrained_ = unconstrained;
   torque_ = solver_.solution();
+  acceleration_ = inverse_mass * (torque_ - input.bias);
   return status;
 }
 

@@ -5,21 +5,6 @@
 namespace rme {
 
 template <typename Scalar, int Size, int MaxRows>
-Status ActiveSetSolver<Scalar, Size, MaxRows>::solve(const Matrix& P, const Vector& x_u, const Rows& rows,
-                                                     const Vector& x_min, const Vector& x_max) noexcept {
-  P_ = &P;
-  B_ = nullptr;
-  return run(x_u, rows, x_min, x_max);
-}
-
-template <typename Scalar, int Size, int MaxRows>
-Status ActiveSetSolver<Scalar, Size, MaxRows>::solve_from_root(const Root& B, const Vector& x_u, const Rows& rows,
-                                                               const Vector& x_min, const Vector& x_max) noexcept {
-  B_ = &B;
-  return run(x_u, rows, x_min, x_max);
-}
-
-template <typename Scalar, int Size, int MaxRows>
 Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows& rows, const Vector& x_min,
                                                    const Vector& x_max) noexcept {
   x_u_ = &x_u;
@@ -71,28 +56,13 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   return status == Status::Ok && relaxed_ ? Status::Infeasible : status;
 }
 
-/// B = L^T with P = L L^T, by Cholesky's method.
-template <typename Scalar, int Size, int MaxRows>
-void ActiveSetSolver<Scalar, Size, MaxRows>::factorise() noexcept {
-  // Column j of B is row j of L; what is left of P is kept by columns, from its diagonal on.
-  Root rest = Root::Zero();
-  rest.template topRows<Size>() = *P_;
-  root_.setZero();
-  for (int j = 0; j < Size; ++j) {
-    // The floor is for a P whose smallest eigenvalues its own rounding has taken.
-    const Scalar pivot = std::max(rest(j, j), kEpsilon * (*P_)(j, j));
-    const Image scaled = rest.col(j) * (Scalar(1) / pivot);
-    for (int k = j + 1; k < Size; ++k) rest.col(k) -= rest(k, j) * scaled;
-    const Scalar root = std::sqrt(pivot);
-    for (int k = j; k < Size; ++k) root_(j, k) = root * scaled[k];
-  }
-  B_ = &root_;
-}
-
 /// The constraint (row, sign) of the present problem, not yet pushed.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::make(int row, Scalar sign, Active& a) noexcept {
-  if (B_ == nullptr) factorise();
+  if (B_ == nullptr) {
+    detail::metric_root(*P_, root_);
+    B_ = &root_;
+  }
   a.row = row;
   a.sign = sign;
   a.multiplier = 0;
