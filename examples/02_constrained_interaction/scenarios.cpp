@@ -31,7 +31,8 @@ Runs random scenarios of five seconds under the constrained passive controller a
 
   --count N         how many scenarios (default 1000); a fifth as many with pushes beyond the torque limits follow
   --seed N          of the first scenario (default 1)
-  --margin RAD      how far inside the joint limits the barriers stand (default 0.005)
+  --continuous      rows for continuous time, as the paper's; otherwise those for sampled time
+  --margin RAD      how far inside the joint limits the barriers stand (default 0; continuous: 0.005)
   --help            this text
 
 Exit codes: 0 every promise kept; 1 one broken; 2 unusable arguments.
@@ -53,6 +54,9 @@ struct Outcome {
   long ticks = 0;
   double crossed = 0;            // deepest violation of a joint limit [rad]
   int crossings = 0;             // scenarios in which it exceeded 1e-3 rad
+  double short_of = 0;           // sum over ticks at rest at a joint limit of the distance to it [rad]
+  double shortest = 0;           // largest of these distances [rad]
+  long at_rest = 0;              // how many such ticks
   double penetrated = 0;         // deepest violation of the wall [m]
   double too_fast = 0;           // worst excess over a joint's speed limit [rad/s]
   double torque_excess = -1e9;   // largest |tau| - limit [N m]
@@ -78,6 +82,9 @@ struct Outcome {
     nonfinite += o.nonfinite;
     lost += o.lost;
     crossed = std::max(crossed, o.crossed);
+    short_of += o.short_of;
+    shortest = std::max(shortest, o.shortest);
+    at_rest += o.at_rest;
     penetrated = std::max(penetrated, o.penetrated);
     too_fast = std::max(too_fast, o.too_fast);
     torque_excess = std::max(torque_excess, o.torque_excess);
@@ -96,7 +103,7 @@ double static_load(const ArmModel<7>& model, const Vector& q, const RigidBody& p
 }
 
 /// @param overload  false: the limits hold the arm in its start pose with 40 % to spare; true: they cannot
-Scenario draw(const ArmModel<7>& model, std::uint64_t seed, double margin, bool overload) {
+Scenario draw(const ArmModel<7>& model, std::uint64_t seed, double margin, bool sampled, bool overload) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform;
   std::normal_distribution<double> normal;
@@ -126,6 +133,7 @@ Scenario draw(const ArmModel<7>& model, std::uint64_t seed, double margin, bool 
   s.host.orientation = Eigen::Quaterniond(goal.rotation);
   s.host.posture = model.ready;
   s.host.margin = margin;
+  s.host.sampled = sampled;
   if (uniform(random) < 0.3) s.host.cycle_radius = 0.05 + 0.1 * uniform(random);
   if (uniform(random) < 0.5) {
     const Eigen::Vector3d n = direction();
@@ -177,6 +185,14 @@ Outcome run(const ArmModel<7>& model, const Scenario& s, double period) {
     out.torque_excess = std::max(out.torque_excess, (torque.cwiseAbs() - model.tau_max).maxCoeff());
     out.compensation_step = std::max(out.compensation_step, (host.compensation() - compensation).cwiseAbs().maxCoeff());
     compensation = host.compensation();
+    for (int j = 0; j < 7; ++j) {
+      if (host.cpic().multiplier(j) == 0 || std::abs(arm.dq()[j]) > 0.01) continue;
+      const double distance = std::min(arm.q()[j] - model.q_min[j], model.q_max[j] - arm.q()[j]);
+      if (distance > 0.3) continue;  // a limit of the speed
+      out.short_of += distance;
+      out.shortest = std::max(out.shortest, distance);
+      ++out.at_rest;
+    }
 
     // A payload that appears, or is being handed over, brings energy of its own; so do constraints, and rightly.
     books.update(arm, host, push);
@@ -212,13 +228,14 @@ Outcome run(const ArmModel<7>& model, const Scenario& s, double period) {
 int run(Arguments& arguments) {
   const int count = static_cast<int>(arguments.whole("--count", 5, 1000000).value_or(1000));
   const std::uint64_t seed = arguments.whole("--seed", 0).value_or(1);
-  const double margin = arguments.number("--margin").value_or(0.005);
+  const bool sampled = !arguments.flag("--continuous");
+  const double margin = arguments.number("--margin").value_or(sampled ? 0 : 0.005);
   arguments.finish();
 
   const ArmModel<7>& model = panda();
   Outcome all, overloaded, empty_handed, loaded;
   for (int i = 0; i < count; ++i) {
-    const Scenario s = draw(model, seed + static_cast<std::uint64_t>(i), margin, false);
+    const Scenario s = draw(model, seed + static_cast<std::uint64_t>(i), margin, sampled, false);
     const Outcome outcome = run(model, s, 1e-3);
     all.merge(outcome);
     (s.payload.mass > 0 ? loaded : empty_handed).merge(outcome);
@@ -227,12 +244,13 @@ int run(Arguments& arguments) {
                   outcome.crossed);
   }
   for (int i = 0; i < count / 5; ++i) {
-    overloaded.merge(run(model, draw(model, seed + static_cast<std::uint64_t>(count + i), margin, true), 1e-3));
+    overloaded.merge(
+        run(model, draw(model, seed + static_cast<std::uint64_t>(count + i), margin, sampled, true), 1e-3));
   }
   double imbalance[3] = {0, 0, 0}, gain[3] = {0, 0, 0};
   const double periods[3] = {1e-3, 5e-4, 2.5e-4};
   for (int i = 0; i < count / 10; ++i) {
-    Scenario s = draw(model, seed + static_cast<std::uint64_t>(i), margin, false);
+    Scenario s = draw(model, seed + static_cast<std::uint64_t>(i), margin, sampled, false);
     s.faults = false;
     for (int p = 0; p < 3; ++p) {
       const Outcome outcome = run(model, s, periods[p]);
@@ -254,6 +272,10 @@ int run(Arguments& arguments) {
               all.scenarios, static_cast<unsigned long long>(seed), all.ticks,
               100.0 * static_cast<double>(all.active) / static_cast<double>(all.ticks));
   promise("joint limit crossed by", all.crossed, "rad", 1e-3);
+  fact("scenarios beyond 1e-3 rad", all.crossings, "");
+  fact("reach: distance to the limit of a joint at rest on its barrier, mean",
+       all.short_of / static_cast<double>(std::max(all.at_rest, 1L)), "rad");
+  fact("the same, largest", all.shortest, "rad");
   promise("torque beyond its limit by", std::max(all.torque_excess, 0.0), "N m", 0);
   promise("scenarios with a NaN or an infinity", all.nonfinite, "", 0);
   promise("ticks refused or not converged", all.refused, "", 0);

@@ -10,10 +10,11 @@ LimitCycleConfig<double> cycle_config(const HostConfig& config) {
   cycle.radius = config.cycle_radius.value_or(cycle.radius);
   return cycle;
 }
-JointLimitsConfig<double, 7> limits_config(const ArmModel<7>& model, double margin) {
+JointLimitsConfig<double, 7> limits_config(const ArmModel<7>& model, const HostConfig& config) {
   JointLimitsConfig<double, 7> limits;
-  limits.q_min = model.q_min.array() + margin;
-  limits.q_max = model.q_max.array() - margin;
+  limits.q_min = model.q_min.array() + config.margin;
+  limits.q_max = model.q_max.array() - config.margin;
+  if (config.sampled) limits.period = config.period;
   limits.velocity_limit = model.dq_max;
   limits.poles = {15.0, 80.0};
   return limits;
@@ -33,9 +34,11 @@ Host::Host(const ArmModel<7>& model, const HostConfig& config)
       cycle_(cycle_config(config)),
       orientation_({config.orientation, 3}),
       posture_({config.posture, 4, 3}),
-      limits_(limits_config(model, config.margin)),
+      limits_(limits_config(model, config)),
+      wall_poles_(config.sampled ? BarrierPoles<double>(6, 30).sampled(config.period) : BarrierPoles<double>(6, 30)),
       cpic_(cpic_config(model)),
       ramp_(config.period),
+      prediction_(config.period),
       disturbance_(config.period, {Vector::Constant(400)}),
       limit_(model.tau_max) {}
 
@@ -58,19 +61,32 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
   CpicInput<double, 7> input;
   input.jacobian = kinematics.jacobian;
   input.mass_matrix = dynamics.mass_matrix;
-  input.bias = dynamics.coriolis - ramp_.torque() - disturbance_.tau_ext();
+  input.bias = dynamics.coriolis;
+  if (config_.prediction == Prediction::Observer) input.bias -= ramp_.torque() + disturbance_.tau_ext();
   input.wrench = passive_.wrench();
   input.null_torque = posture_.torque(q, dq);
   input.other_torque = dynamics.gravity + ramp_.torque();
 
   rows_.clear();
+  status_ = prediction_.observe(dq);
+  if (status_ != Status::Ok) return torque_;
+  if (config_.sampled) error_ = prediction_.error();
+  if (config_.payload_aware) {
+    status_ =
+        uncertainty_.update(payload_, probability_, kinematics.jacobian, kinematics.rotation, dynamics.mass_matrix);
+    if (status_ != Status::Ok) return torque_;
+    error_.below += uncertainty_.error().below;
+    error_.above += uncertainty_.error().above;
+  }
   if (config_.constrained) {
-    status_ = limits_.append(q, dq, rows_);
+    status_ = limits_.append(q, dq, rows_, error_);
+    if (status_ == Status::Infeasible) status_ = Status::Ok;  // what the error leaves room for
     if (status_ == Status::Ok && config_.wall) status_ = add_wall(kinematics, twist, dq);
     if (status_ != Status::Ok) return torque_;
   }
   status_ = cpic_.update(input, rows_);
   if (status_ == Status::NonFiniteInput || status_ == Status::NotPositiveDefinite) return torque_;
+  prediction_.predict(cpic_.acceleration());
   // Within the limits already, but for the last bit of this sum.
   torque_ = (cpic_.torque() + input.other_torque).cwiseMax(-limit_).cwiseMin(limit_);
   return torque_;
@@ -83,7 +99,8 @@ Status Host::add_wall(const Kinematics<7>& kinematics, const Twist<double>& twis
   last_ = J_v;
   started_ = true;
   const PointMotion<double, 7> flange = {kinematics.position, twist.linear, J_v, rate * dq};
-  return add_barrier(half_space(flange, config_.wall->normal, config_.wall->offset), dq, {6.0, 30.0}, rows_, 1e3);
+  return add_barrier(half_space(flange, config_.wall->normal, config_.wall->offset), dq, wall_poles_, rows_,
+                     config_.wall_weight, error_);
 }
 
 }  // namespace rme::examples

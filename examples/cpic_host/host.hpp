@@ -11,7 +11,9 @@
 #include <rme/control/linear_attractor.hpp>
 #include <rme/control/orientation_attractor.hpp>
 #include <rme/control/passive_controller.hpp>
+#include <rme/control/payload_uncertainty.hpp>
 #include <rme/control/posture.hpp>
+#include <rme/control/prediction_error.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <synthetic_arm/synthetic_arm.hpp>
 
@@ -34,12 +36,22 @@ struct Push {
   }
 };
 
+/// What the host's rows know of the torque that acts beside its own.
+enum class Prediction {
+  Nominal,   ///< nothing, as published: compensation is added afterwards and thought to be right
+  Observer,  ///< all that a fast observer sees
+};
+
 struct HostConfig {
   double period = 1e-3;     // [s]
   bool constrained = true;  // with the rows of CPIC, or the passive law alone, cut to the torque limits
   // Where the barriers stand inside the mechanical limits [rad]: what an unknown torque may push through them.
   double margin = 0.005;
-  std::optional<Wall> wall;            // a soft row: the arm's own limits go first
+  bool sampled = false;  // rows for sampled time, tightened by the error of the prediction as seen just now
+  Prediction prediction = Prediction::Observer;
+  bool payload_aware = false;          // rows allow for what the payload is not known to be: see believe()
+  std::optional<Wall> wall;            // by default a soft row: the arm's own limits go first
+  double wall_weight = 1e3;            // infinite: hard
   Eigen::Vector3d target;              // of the linear attractor, or the centre of the cycle [m]
   std::optional<double> cycle_radius;  // [m]; turns in the y-z plane
   Eigen::Quaterniond orientation;      // target
@@ -68,6 +80,12 @@ class Host {
   /// @return the torque to command [N m], gravity included
   const Vector& update(const SyntheticArm<7>& arm, const Vector& compensation) noexcept;
 
+  /// What is in the hand, for payload_aware; until the first call, that it is surely empty.
+  void believe(const PayloadGaussian<double>& payload, const PerHypothesis<double>& probability) noexcept {
+    payload_ = payload;
+    probability_ = probability;
+  }
+
   /// Of the last update; Infeasible and NotConverged come with a torque, every other failure repeats the last one.
   Status status() const noexcept { return status_; }
   const Cpic<double, 7, 8>& cpic() const noexcept { return cpic_; }
@@ -84,8 +102,14 @@ class Host {
   PassiveController<double> passive_;
   Posture<double, 7> posture_;
   JointLimits<double, 7> limits_;
+  BarrierPoles<double> wall_poles_;
   Cpic<double, 7, 8> cpic_;
   CompensationRamp<double, 7> ramp_;
+  PredictionErrorWatch<double, 7> prediction_;
+  PayloadUncertainty<double, 7> uncertainty_;
+  AccelerationError<double, 7> error_;  // that the rows of this tick allow for
+  PayloadGaussian<double> payload_ = {Eigen::Vector4d::Zero(), Eigen::Matrix4d::Zero()};
+  PerHypothesis<double> probability_;
   MomentumObserver<double, 7> disturbance_;
   Vector limit_;  // of the torques [N m]
   ConstraintRows<double, 7, 8> rows_;

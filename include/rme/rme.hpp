@@ -14,7 +14,9 @@
 #include <rme/control/orientation_attractor.hpp>
 #include <rme/control/passive_controller.hpp>
 #include <rme/control/passivity_monitor.hpp>
+#include <rme/control/payload_uncertainty.hpp>
 #include <rme/control/posture.hpp>
+#include <rme/control/prediction_error.hpp>
 #include <rme/core/cholesky.hpp>
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>

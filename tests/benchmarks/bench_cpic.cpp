@@ -102,18 +102,22 @@ void time_update(int paths) {
   print_by_active("Cpic::update", by_active);
 }
 
-template <int Count>
-void time_solver(int paths) {
+/// @param from_root  as CPIC calls it; or from P, which is factorised as soon as a row is active
+template <typename Scalar, int Count>
+void time_solver(int paths, bool from_root) {
+  using Solver = rme::ActiveSetSolver<Scalar, 7, Count>;
+  using SolverVector = typename Solver::Vector;
   const unsigned seed = 4402;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform;
   std::vector<double> by_active[4];
   struct Problem {
-    Matrix P;
-    Vector x_u;
-    rme::ConstraintRows<double, 7, Count> rows;
+    typename Solver::Matrix P;
+    typename Solver::Root root;
+    SolverVector x_u;
+    typename Solver::Rows rows;
   };
-  const Vector limit = rme::examples::panda().tau_max;
+  const SolverVector limit = rme::examples::panda().tau_max.template cast<Scalar>();
   for (int path = 0; path < paths; ++path) {
     rme::benchmarks::rest();
     const auto states = walk(random, std::pow(10.0, 4 * uniform(random) - 2));
@@ -128,28 +132,35 @@ void time_solver(int paths) {
     for (const State& s : states) {
       Problem p;
       (void)null_space.update(s.input.jacobian);
-      p.P = (s.input.jacobian.transpose() * s.input.jacobian + null_space.projector() / 1e-3) / 2;
-      p.x_u = s.input.jacobian.transpose() * s.input.wrench.vector() + null_space.projector() * s.input.null_torque;
+      const Matrix P = (s.input.jacobian.transpose() * s.input.jacobian + null_space.projector() / 1e-3) / 2;
+      p.P = P.cast<Scalar>();
+      p.root.setZero();
+      p.root.template topRows<7>() = Matrix(P.llt().matrixU()).cast<Scalar>();
+      p.x_u = (s.input.jacobian.transpose() * s.input.wrench.vector() + null_space.projector() * s.input.null_torque)
+                  .template cast<Scalar>();
       const Eigen::LLT<Matrix> inertia(s.input.mass_matrix);
       for (int i = 0; i < Count; ++i) {  // one-sided and general, as any other solver would be given them
         const Vector a = inertia.solve(gradients[static_cast<std::size_t>(i)]);
-        (void)p.rows.add(a, a.dot(s.feasible) - room[static_cast<std::size_t>(i)]);
+        (void)p.rows.add(a.cast<Scalar>(), static_cast<Scalar>(a.dot(s.feasible) - room[static_cast<std::size_t>(i)]));
       }
       problems.push_back(p);
     }
-    rme::ActiveSetSolver<double, 7, Count> solver;
+    Solver solver;
     for (const Problem& p : problems) {
       const Problem local = p;  // in L1, as in a control loop that has just built it
       rme::Status status;
-      const double time =
-          rme::benchmarks::time_of([&] { status = solver.solve(local.P, local.x_u, local.rows, -limit, limit); });
+      const double time = rme::benchmarks::time_of([&] {
+        status = from_root ? solver.solve_from_root(local.root, local.x_u, local.rows, -limit, limit)
+                           : solver.solve(local.P, local.x_u, local.rows, -limit, limit);
+      });
       if (status != rme::Status::Ok) std::printf("unexpected status: %s\n", rme::to_string(status));
       const int n = solver.active_count();
       by_active[n < 2 ? n : n < 4 ? 2 : 3].push_back(time);
     }
   }
-  const std::string what = "ActiveSetSolver::solve, " + std::to_string(Count) + " rows";
-  print_head((what + " beside the torque limits, warm").c_str());
+  const std::string what = std::string("solve") + (from_root ? "_from_root" : "") + ", " + std::to_string(Count) +
+                           " rows, " + (sizeof(Scalar) == 4 ? "float" : "double");
+  print_head(("ActiveSetSolver::" + what + " beside the torque limits, warm").c_str());
   print_by_active(what, by_active);
 }
 
@@ -187,8 +198,10 @@ void time_rows(int paths) {
 int main(int argc, char** argv) {
   const int paths = rme::benchmarks::quick(argc, argv) ? 2 : 500;
   time_update(paths);
-  time_solver<14>(paths);
-  time_solver<28>(paths);
+  time_solver<double, 14>(paths, true);
+  time_solver<double, 14>(paths, false);
+  time_solver<float, 14>(paths, true);
+  time_solver<double, 28>(paths, true);
   time_rows(paths / 2);
   std::printf("\nseeds 4401, 4402, 4403\n");
 }

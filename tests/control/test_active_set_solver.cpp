@@ -62,6 +62,28 @@ TEST_CASE("ActiveSetSolver: a row that the first step made active leaves again w
   CHECK(solver.active_count() == 1);
 }
 
+TEMPLATE_TEST_CASE("ActiveSetSolver: two rows that the metric makes nearly parallel are told apart", "[qp]", float,
+                   double) {
+  // In the metric of P the rows x + y >= 1 and -x + y >= 2 are 1e-6 apart; both hold at (-1/2, 3/2) only, and there
+  // lambda = P^-1 x = (-1e-3, 3000) = l_1 (1, 1) + l_2 (-1, 1) has l_1, l_2 > 0: it is the optimum.
+  using Vector = Eigen::Matrix<TestType, 2, 1>;
+  rme::ActiveSetSolver<TestType, 2, 2> solver;
+  rme::ConstraintRows<TestType, 2, 2> rows;
+  REQUIRE(rows.add(Vector(1, 1), 1) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(-1, 1), 2) == rme::Status::Ok);
+  const Eigen::Matrix<TestType, 2, 2> P = Vector(500, TestType(5e-4)).asDiagonal();
+  const Vector far = Vector::Constant(100);
+  REQUIRE(solver.solve(P, Vector::Zero(), rows, -far, far) == rme::Status::Ok);
+  CHECK((solver.solution() - Vector(TestType(-0.5), TestType(1.5))).norm() <
+        10 * Eigen::NumTraits<TestType>::epsilon());
+  typename decltype(solver)::Root root = decltype(solver)::Root::Zero();
+  root(0, 0) = std::sqrt(P(0, 0));
+  root(1, 1) = std::sqrt(P(1, 1));
+  REQUIRE(solver.solve_from_root(root, Vector::Zero(), rows, -far, far) == rme::Status::Ok);
+  CHECK((solver.solution() - Vector(TestType(-0.5), TestType(1.5))).norm() <
+        10 * Eigen::NumTraits<TestType>::epsilon());
+}
+
 TEST_CASE("ActiveSetSolver: the box is a constraint like any other", "[qp]") {
   // x + y >= 3 with x <= 1 and y <= 5: (1, 2). Lagrange: y = l = 2, x = l + m = 1, so m = -1 on the upper side of x.
   Solver2 solver;
@@ -123,7 +145,7 @@ TEST_CASE("ActiveSetSolver: rows that repeat each other at any scale are one row
   }
   REQUIRE(rows.add(Vector2(3, 1), 0.7 * (1 - 1e-9)) == rme::Status::Ok);
   REQUIRE(rows.add(Vector2(3, 1), -rows.kFree, 0.7) == rme::Status::Ok);  // together an equality
-  REQUIRE(rows.add(Vector2::Zero(), 5) == rme::Status::Ok);               // constrains nothing
+  REQUIRE(rows.add(Vector2::Zero(), -5) == rme::Status::Ok);              // constrains nothing
   CHECK(solver.solve(kIdentity, Vector2::Zero(), rows, -kFar, kFar) == rme::Status::Ok);
   CHECK((solver.solution() - Vector2(0.21, 0.07)).norm() < 1e-15);  // 0.7 (3, 1) / 10
 }
@@ -138,6 +160,9 @@ TEST_CASE("ConstraintRows: what cannot be a row is not added", "[qp]") {
   CHECK(rows.add(Vector2(1, 0), 0, 1, nan) == rme::Status::NonFiniteInput);
   CHECK(rows.add(Vector2(1, 0), 0, 1, 0) == rme::Status::NonFiniteInput);
   CHECK(rows.add(Vector2(1, 0), 1, 0) == rme::Status::Infeasible);
+  CHECK(rows.add(Vector2::Zero(), 5) == rme::Status::Infeasible);
+  CHECK(rows.add(Vector2::Zero(), -rows.kFree, -5) == rme::Status::Infeasible);
+  CHECK(rows.add(Vector2(1e-200, 0), 5) == rme::Status::Infeasible);  // zero for all that can be done about it
   CHECK(rows.size() == 0);
   CHECK(rows.add_axis(1, 0, 1) == rme::Status::Ok);
   CHECK(rows.add(Vector2(1, 0), 0) == rme::Status::Ok);
@@ -215,6 +240,12 @@ void check_kkt(unsigned seed, int problems) {
     const oracle::Residuals r = oracle::kkt_residuals(p.Q, p.x_u, solver.solution(), constraints);
     CAPTURE(r.stationarity, r.primal, r.dual, r.complementarity, solver.active_count(), p.rows.size());
     REQUIRE(r.worst() < 1e-9);
+    // What Ok promises, as it is documented.
+    const double reach = solver.solution().norm() + p.x_u.norm();
+    for (const oracle::Constraint& c : constraints) {
+      const double miss = c.b - c.a.dot(solver.solution()) - c.slack;
+      REQUIRE(miss <= decltype(solver)::kTolerance * (c.a.norm() * reach + std::abs(c.b)));
+    }
     // What is missed by a soft row is what its weight says: multiplier = 2 w s.
     for (int k = 0; k < p.rows.size(); ++k) {
       REQUIRE(std::abs(solver.multiplier(k)) ==

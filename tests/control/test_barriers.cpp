@@ -1,6 +1,8 @@
 #include <cmath>
 #include <rme/control/barriers.hpp>
+#include <rme/control/prediction_error.hpp>
 #include <synthetic_arm/panda.hpp>
+#include <tuple>
 
 #include "support/catch.hpp"
 #include "support/linear_algebra.hpp"
@@ -119,6 +121,123 @@ TEST_CASE("JointLimits: the tighter of position and velocity bound counts, and p
   CHECK((bounds(-3, 3) - Eigen::Vector2d(-1, 0)).norm() < 1e-13);
   // q = -4, dq = 3: position at least 30 - 21 = 9, velocity at most 0: the position wins.
   CHECK((bounds(-4, 3) - Eigen::Vector2d(9, 9)).norm() < 1e-13);
+}
+
+/// h'' = row's bound + error, over a tick of which the error does what it likes within [0, 2 e]: the least h between.
+struct SampledMotion {
+  double h, rate, least;
+  void tick(double bound, double period, std::mt19937& random, double error) {
+    std::uniform_real_distribution<double> uniform;
+    const int pieces = 40;
+    const int kind = static_cast<int>(random() % 3);
+    for (int i = 0; i < pieces; ++i) {
+      const double share = kind == 0 ? 0 : kind == 1 ? uniform(random) : (i % 2 ? 2.0 : 0.0);
+      const double u = bound + error * (share - 1), dt = period / pieces;
+      if (rate < 0 && u > 0 && rate + u * dt > 0) least = std::min(least, h - rate * rate / (2 * u));
+      h += rate * dt + u * dt * dt / 2;
+      rate += u * dt;
+      least = std::min(least, h);
+    }
+  }
+};
+
+TEST_CASE("Sampled barriers: a torque that is held for a tick never crosses, whatever the error within its bound",
+          "[barriers]") {
+  const unsigned seed = 4322;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform;
+  int continuous_crossed = 0;
+  for (int run = 0; run < 3000; ++run) {
+    const double period = std::pow(10.0, -3 + 2 * uniform(random)), fast = 2 / period * uniform(random);
+    const double slow = fast * uniform(random), error = run % 3 == 0 ? 0 : 10 * uniform(random);
+    if (!(slow > 0)) continue;
+    CAPTURE(run, period, fast, slow, error);
+    const rme::BarrierPoles<double> poles(run % 2 ? fast : slow, run % 2 ? slow : fast);
+    const rme::BarrierPoles<double> sampled = poles.sampled(period);
+    const double h = uniform(random) < 0.1 ? 0 : uniform(random), rate = -fast * h * (run % 5 ? uniform(random) : 1);
+    for (const bool held : {true, false}) {
+      const auto& gains = held ? sampled : poles;
+      SampledMotion motion{h, rate, h};
+      for (int k = 0; k < 60; ++k) {
+        rme::ConstraintRows<double, 1, 1> rows;
+        using One = Eigen::Matrix<double, 1, 1>;
+        const rme::AccelerationError<double, 1> off{One(error), One(0.0)};
+        REQUIRE(rme::add_barrier<double, 1, 1>({motion.h, One(1.0), 0.0}, One(motion.rate), gains, rows, rows.kHard,
+                                               off) == rme::Status::Ok);
+        motion.tick(rows[0].lower, period, random, error);
+        if (held) REQUIRE(motion.rate + fast * motion.h >= -1e-9 * (1 + error));
+      }
+      if (held) REQUIRE(motion.least >= -1e-12);
+      continuous_crossed += !held && motion.least < -1e-6 ? 1 : 0;
+    }
+  }
+  CHECK(continuous_crossed > 300);  // what the rows for continuous time make of the same ticks
+}
+
+TEST_CASE("Sampled barriers: with a short period the gains are those of continuous time", "[barriers]") {
+  const rme::BarrierPoles<double> poles(8, 40), sampled = poles.sampled(1e-7);
+  CHECK(sampled.k1 == Approx(320).epsilon(1e-5));
+  CHECK(sampled.k2 == Approx(48).epsilon(1e-5));
+  CHECK_THROWS_WITH(poles.sampled(0), contains("BarrierPoles::sampled"));
+  CHECK_THROWS_WITH(poles.sampled(0.051), contains("2 over the faster pole"));
+}
+
+TEST_CASE("JointLimits: an error that leaves no acceleration sure to keep both limits is named", "[barriers]") {
+  rme::JointLimitsConfig<double, 1> config;
+  using One = Eigen::Matrix<double, 1, 1>;
+  config.q_min << -1;
+  config.q_max << 1;
+  config.poles = {2, 5};
+  config.period = 1e-7;
+  const rme::JointLimits<double, 1> limits(config);
+  // At rest in the middle: -10 + below to 10 - above, met in the middle at 9 and 13: -1 and -3, so -2.
+  for (const auto& [below, above, lower, upper, status] :
+       {std::make_tuple(4.0, 3.0, -6.0, 7.0, rme::Status::Ok),
+        std::make_tuple(9.0, 13.0, -2.0, -2.0, rme::Status::Infeasible)}) {
+    rme::ConstraintRows<double, 1, 1> rows;
+    CHECK(limits.append(One(0.0), One(0.0), rows, {One(below), One(above)}) == status);
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].lower == Approx(lower).epsilon(1e-5));
+    CHECK(rows[0].upper == Approx(upper).epsilon(1e-5));
+  }
+  config.period = 0.5;
+  CHECK_THROWS_WITH((rme::JointLimits<double, 1>(config)), contains("2 over the faster pole"));
+}
+
+TEST_CASE("PredictionErrorWatch: bounds what it has seen, each sign for itself, and forgets", "[barriers]") {
+  using Two = Eigen::Vector2d;
+  rme::PredictionErrorConfig<double, 2> config;
+  config.stated << 1, 0;
+  config.memory = 0.01;
+  rme::PredictionErrorWatch<double, 2> watch(1e-3, config);
+  REQUIRE(watch.observe(Two(0, 0)) == rme::Status::Ok);
+  CHECK(watch.error().above == Two(1, 0));
+  watch.predict(Two(10, 10));
+  REQUIRE(watch.observe(Two(0.013, 0.004)) == rme::Status::Ok);  // 13 and 4 rad/s^2: off by 3 and -6
+  CHECK((watch.error().above - Two(4, 0)).norm() < 1e-9);
+  CHECK((watch.error().below - Two(1, 6)).norm() < 1e-9);
+  CHECK(watch.error().along(Two(2, -1)) == Approx(2 * 1 + 1 * 0));
+  CHECK(watch.error().along(Two(-1, 1)) == Approx(4 + 6));
+  for (int k = 0; k < 10; ++k) REQUIRE(watch.observe(Two(0, 0)) == rme::Status::Ok);  // nothing predicted: no news
+  CHECK(watch.error().below[1] == Approx(6 * std::exp(-1)));
+  CHECK(watch.observe(Two(0, std::nan(""))) == rme::Status::NonFiniteInput);
+  CHECK(watch.error().below[1] == Approx(6 * std::exp(-1)));
+  config.memory = 0;
+  CHECK_THROWS_WITH((rme::PredictionErrorWatch<double, 2>(1e-3, config)), contains("PredictionErrorConfig::memory"));
+  config = {};
+  config.stated << -1, 0;
+  CHECK_THROWS_WITH((rme::PredictionErrorWatch<double, 2>(1e-3, config)), contains("PredictionErrorConfig::stated"));
+}
+
+TEST_CASE("Spheres: at the centre of one to be left there is no way out, and a status says so", "[barriers]") {
+  rme::PointMotion<double, 7> point = flange_motion(panda().ready, Vector7::Zero());
+  const auto inside = rme::sphere<double, 7>(point, point.position, 0.3, rme::SphereSide::Outside);
+  rme::ConstraintRows<double, 7, 4> rows;
+  CHECK(rme::add_barrier(inside, Vector7(Vector7::Zero()), {2.0, 5.0}, rows) == rme::Status::Infeasible);
+  CHECK(rows.size() == 0);
+  const auto kept = rme::sphere<double, 7>(point, point.position, 0.3, rme::SphereSide::Inside);
+  CHECK(rme::add_barrier(kept, Vector7(Vector7::Zero()), {2.0, 5.0}, rows) == rme::Status::Ok);
 }
 
 TEST_CASE("Barriers: unstable poles and inverted limits are refused by name", "[barriers]") {

@@ -256,6 +256,17 @@ TEST_CASE("Cpic: settings out of range are refused by name", "[cpic]") {
   config.null_space_weight = 1;
   config.moment_arm = 0;
   CHECK_THROWS_WITH((rme::Cpic<double, 7>(config)), contains("CpicConfig::moment_arm"));
+  config.moment_arm = 1;
+  config.null_space_weight = 1e-9;  // one at which double still keeps its promise
+  CHECK_NOTHROW(rme::Cpic<double, 7>(config));
+  config.null_space_weight = 1e-25;
+  CHECK_THROWS_WITH((rme::Cpic<double, 7>(config)), contains("<= 2e-3 / machine epsilon"));
+  rme::CpicConfig<float, 7> small;
+  small.torque_limit.setConstant(10);
+  small.null_space_weight = 1e-5F;
+  CHECK_NOTHROW(rme::Cpic<float, 7>(small));
+  small.null_space_weight = 1e-6F;
+  CHECK_THROWS_WITH((rme::Cpic<float, 7>(small)), contains("<= 2e-3 / machine epsilon"));
 }
 
 static_assert(noexcept(std::declval<rme::Cpic<double, 7>&>().update(

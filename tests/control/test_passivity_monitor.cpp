@@ -45,6 +45,17 @@ TEST_CASE("PassivityMonitor: an active system shows", "[passivity]") {
   CHECK(monitor.power_residual() == Approx(0.3));
 }
 
+TEMPLATE_TEST_CASE("PassivityMonitor: five hours at 1 kHz leave a thousandth of what was turned over at most",
+                   "[passivity]", float, double) {
+  // A lossless store that takes all of 1 W: S = t, so that the residual is all error. (A plain sum in float: -801 J.)
+  rme::PassivityMonitor<TestType> monitor(TestType(1e-3));
+  const long ticks = 5 * 3600 * 1000;
+  for (long k = 0; k <= ticks; ++k)
+    if (monitor.update(static_cast<TestType>(1e-3 * static_cast<double>(k)), 1) != rme::Status::Ok) FAIL(k);
+  CHECK(monitor.supplied() == Approx(18000).epsilon(1e-6));
+  CHECK(std::abs(monitor.residual()) < 18);
+}
+
 TEST_CASE("PassivityMonitor: bad numbers do not enter the books, and reset() opens new ones", "[passivity]") {
   rme::PassivityMonitor<double> monitor(1e-3);
   REQUIRE(monitor.update(1, 2) == rme::Status::Ok);

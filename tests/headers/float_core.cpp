@@ -283,6 +283,18 @@ bool cpic_cuts_off_what_a_box_does_not_allow() {
   return true;
 }
 
+/// x + y >= 1 and -x + y >= 2 are 1e-6 apart in the metric of P, which a product of them would lose in float.
+bool solver_tells_rows_apart_that_the_metric_brings_together() {
+  using Vector2 = Eigen::Vector2f;
+  rme::ActiveSetSolver<float, 2, 2> solver;
+  rme::ActiveSetSolver<float, 2, 2>::Rows rows;
+  if (rows.add({1, 1}, 1) != Status::Ok || rows.add({-1, 1}, 2) != Status::Ok) return false;
+  const Eigen::Matrix2f P = Vector2(500, 5e-4F).asDiagonal();
+  if (solver.solve(P, Vector2::Zero(), rows, Vector2::Constant(-100), Vector2::Constant(100)) != Status::Ok)
+    return false;
+  return (solver.solution() - Vector2(-0.5F, 1.5F)).norm() < 1e-5F;
+}
+
 bool barriers_ask_for_what_their_poles_say() {
   rme::PointMotion<float, 7> point;
   point.position = Vector3(0, 0, 0.5F);
@@ -410,6 +422,7 @@ const Case kCases[] = {
     {"OrientationAttractor: the sine of the angle", orientation_turns_with_the_sine_of_the_angle},
     {"NullSpace: makes no wrench", null_space_makes_no_wrench},
     {"Cpic: cuts off what a box does not allow", cpic_cuts_off_what_a_box_does_not_allow},
+    {"ActiveSetSolver: rows that the metric brings together", solver_tells_rows_apart_that_the_metric_brings_together},
     {"add_barrier, JointLimits: what their poles say", barriers_ask_for_what_their_poles_say},
     {"EnergyTank, PassivityMonitor: their books", tank_and_monitor_keep_their_books},
     {"MismatchNetwork: as in PyTorch", network_is_that_of_pytorch},

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <rme/control/constraint_rows.hpp>
+#include <rme/control/detail/active_factor.hpp>
+#include <rme/control/detail/metric_root.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <utility>
@@ -13,14 +15,18 @@ namespace rme {
 
 /// Solves
 ///
-///     min  1/2 (x - x_u)^T Q (x - x_u) + sum_soft w_i s_i^2     s.t.  l_i <= a_i x <= u_i (+- s_i),   x_min <= x <=
-///     x_max
+///     min   1/2 (x - x_u)^T Q (x - x_u) + sum_soft w_i s_i^2
+///     s.t.  l_i <= a_i x <= u_i (+- s_i),   x_min <= x <= x_max
 ///
-/// from the inverse P = Q^-1 alone (docs/theory_control.md, the dual method). With signed active normals n_k the
-/// optimum is x = x_u + P sum_k lambda_k n_k, where S lambda = d, S_kl = n_k^T P n_l + delta_kl c_k and c_k = 1 / (2
-/// w_k), 0 if hard: one row gives the paper's closed form (26), (27), several the method of [Goldfarb & Idnani 1983]
-/// with the Cholesky factor of S, and no feasible row costs more than its check. The next solve starts from this one's
-/// active set.
+/// from the inverse P = Q^-1 = B^T B alone (docs/theory_control.md, the dual method). With signed active normals n_k
+/// the optimum is x = x_u + P sum_k lambda_k n_k, where S lambda = d, S_kl = n_k^T P n_l + delta_kl c_k and c_k = 1 /
+/// (2 w_k), 0 if hard: one row gives the paper's closed form (26), (27), several the method of [Goldfarb & Idnani
+/// 1983]. S is never formed: an orthogonal factorisation of the B n_k costs the root of its condition only, which is
+/// what makes float sufficient. No feasible row costs more than its check. The next solve starts from this one's active
+/// set.
+///
+/// Ok says that every row and the box hold, the active ones included: each is looked at in the x that is returned, and
+/// none is missed by more than kTolerance (|a| (|x| + |x_u|) + |bound|), a soft one by more than that beyond its slack.
 ///
 /// The box x_min..x_max always holds. When hard rows contradict each other or the box, all of them become soft, with
 /// the compliance sqrt(machine epsilon) a_i P a_i^T: the least sum of squared violations, each measured by the cost of
@@ -35,12 +41,30 @@ class ActiveSetSolver {
   using Vector = Eigen::Matrix<Scalar, Size, 1>;
   using Matrix = Eigen::Matrix<Scalar, Size, Size>;
   using Rows = ConstraintRows<Scalar, Size, MaxRows>;
+  /// A root has Size rows or a few more, to a multiple of four; those that it does not need are zero.
+  using Root = Eigen::Matrix<Scalar, (Size + 3) / 4 * 4, Size>;
   static constexpr int kMaxIterations = 4 * (MaxRows + Size);
+
+  /// What Ok allows a row to be missed by, relative to |a| (|x| + |x_u|) + |bound|: 2e-13 in double, 1e-4 in float.
+  static constexpr Scalar kTolerance = 1024 * std::numeric_limits<Scalar>::epsilon();
 
   /// All arguments are finite but the bounds, which may be infinite; P is symmetric positive definite; x_min <= x_max.
   /// @return Ok; Infeasible: the hard rows do not hold together, solution() violates them least; NotConverged:
-  ///         kMaxIterations was reached, solution() is only known to lie in the box
-  Status solve(const Matrix& P, const Vector& x_u, const Rows& rows, const Vector& x_min, const Vector& x_max) noexcept;
+  ///         kMaxIterations was reached or a row is missed by more than kTolerance, solution() is only known to lie in
+  ///         the box
+  Status solve(const Matrix& P, const Vector& x_u, const Rows& rows, const Vector& x_min,
+               const Vector& x_max) noexcept {
+    P_ = &P;
+    B_ = nullptr;
+    return run(x_u, rows, x_min, x_max);
+  }
+  /// The same from a root B of P = B^T B, of full column rank: faster, and with small eigenvalues that the entries of P
+  /// would lose to rounding.
+  Status solve_from_root(const Root& B, const Vector& x_u, const Rows& rows, const Vector& x_min,
+                         const Vector& x_max) noexcept {
+    B_ = &B;
+    return run(x_u, rows, x_min, x_max);
+  }
   /// Forgets the active set, so that the next solve starts cold, and the solution.
   void reset() noexcept {
     count_ = iterations_ = 0;
@@ -62,57 +86,68 @@ class ActiveSetSolver {
  private:
   // Each row is active at most once; so is each coordinate of the box.
   static constexpr int kMaxActive = MaxRows + Size;
+  static constexpr int kMaxRefinements = 4;
   static constexpr Scalar kEpsilon = std::numeric_limits<Scalar>::epsilon();
   static constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
-  static constexpr Scalar kFeasible = 512 * kEpsilon;  // a violation below this, relative to a x, is rounding
+  // A violation below this, relative to a x, is rounding. Half of what is promised: cutting x to the box takes the
+  // rest.
+  static constexpr Scalar kFeasible = kTolerance / 2;
+  static constexpr Scalar kRounding = 8 * kEpsilon;  // what a solution is refined for
   static constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
+
+  using Factor = detail::ActiveFactor<Scalar, Size, kMaxActive>;
+  using Column = typename Factor::Column;
+  using Image = typename Factor::Image;
 
   // A constraint n x >= b held as an equality (less its slack): a row, or for row >= MaxRows a side of the box.
   struct Active {
     int row;
     Scalar sign;        // +1 at the lower bound, -1 at the upper: n = sign a
     Vector normal;      // n
-    Vector image;       // P n
-    Scalar curvature;   // n P n
+    Image image;        // g = B n
+    Scalar curvature;   // g g = n P n
+    Scalar bound;       // b
     Scalar rise;        // d = b - n x_u, what x has to gain along n
     Scalar compliance;  // c
     Scalar multiplier;  // lambda
   };
-  using Column = std::array<Scalar, index(kMaxActive)>;
 
-  Active make(int row, Scalar sign) const noexcept;
+  Status run(const Vector& x_u, const Rows& rows, const Vector& x_min, const Vector& x_max) noexcept;
+  void make(int row, Scalar sign, Active& a) noexcept;
   Scalar compliance(const Active& a) const noexcept;
-  Scalar project(const Active& a, int count, Column& y) const noexcept;
-  void back_substitute(Column& y) const noexcept;
-  bool push(const Active& a) noexcept;
-  void store(const Active& a, const Column& y, Scalar pivot) noexcept;
+  void push(int row, Scalar sign) noexcept;
+  void store(const Active& a, const typename Factor::Split& split) noexcept;
   void drop(int k) noexcept;
   void refactor(int from) noexcept;
-  void solve_multipliers() noexcept;
+  void solve_multipliers(Column& w) noexcept;
   void restore() noexcept;
+  void move(const Column& w) noexcept;
   void refine() noexcept;
-  void move() noexcept;
-  bool enter(Active a) noexcept;
+  bool enter(const Active& a) noexcept;
+  Scalar noise(const Active& a, const Column& r) const noexcept;
   bool most_violated(int& row, Scalar& sign) const noexcept;
+  bool active_hold(Scalar tolerance) const noexcept;
   void relax() noexcept;
   void publish() noexcept;
 
   // The problem being solved; valid inside solve() only.
   const Matrix* P_ = nullptr;
+  const Root* B_ = nullptr;  // null until a row needs it
   const Vector* x_u_ = nullptr;
   const Rows* rows_ = nullptr;
   const Vector* x_min_ = nullptr;
   const Vector* x_max_ = nullptr;
 
+  Root root_;  // of P, where none was given
   std::array<Active, index(kMaxActive)> active_;
-  std::array<Column, index(kMaxActive)> factor_;  // L with S = L L^T, by rows, below the diagonal
-  Column inverse_pivot_;                          // 1 / L_kk
-  std::array<bool, index(kMaxActive)> held_;      // by row: is it in active_?
-  Column multiplier_{}, slack_{};                 // by row
+  Factor factor_;
+  std::array<bool, index(kMaxActive)> held_;  // by row: is it in active_?
+  Column multiplier_{}, slack_{};             // by row
   Vector x_ = Vector::Zero();
   int count_ = 0;
   int iterations_ = 0;
   bool relaxed_ = false;
+  bool exact_ = true;  // whether the active rows held to kRounding when x_ was computed
 };
 
 }  // namespace rme

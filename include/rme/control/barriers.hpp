@@ -1,7 +1,10 @@
 #pragma once
 /// Exponential control barrier functions: where the arm may go, written as rows on its joint accelerations.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <rme/control/constraint_rows.hpp>
+#include <rme/control/prediction_error.hpp>
 #include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
@@ -17,12 +20,35 @@ class BarrierPoles {
  public:
   /// @param first, second  p_1, p_2 > 0 [1/s]
   /// @throws std::invalid_argument for a pole that is not stable
-  BarrierPoles(Scalar first, Scalar second) : k1(first * second), k2(first + second) {
+  BarrierPoles(Scalar first, Scalar second) : k1(first * second), k2(first + second), first_(first), second_(second) {
     detail::require_positive(first, "BarrierPoles::first", "> 0 1/s (a stable pole)");
     detail::require_positive(second, "BarrierPoles::second", "> 0 1/s (a stable pole)");
   }
+  /// Gains for a torque that is held for a period T, in place of one that changes all the time: with p the faster pole,
+  /// s the slower one and D = T (1 + p T / 2),
+  ///
+  ///     k_1 = p (1 - e^-sT) / D,    k_2 = (1 - e^-sT + p T) / D
+  ///
+  /// From h >= 0 and h' >= -p h at one tick, h'' >= -k_1 h - k_2 h' over the period keeps both at the next and h >= 0
+  /// in between, exactly (docs/theory_control.md, sampled barriers). As T vanishes these are the gains above.
+  /// @param period  T [s], > 0, at most 2 / p
+  /// @throws std::invalid_argument for another period
+  BarrierPoles sampled(Scalar period) const {
+    using std::expm1;
+    const Scalar fast = std::max(first_, second_), slow = std::min(first_, second_);
+    detail::require(period > 0 && fast * period <= 2, "BarrierPoles::sampled(period)",
+                    "> 0 s, at most 2 over the faster pole", period);
+    const Scalar share = -expm1(-slow * period), scale = period * (1 + fast * period / 2);
+    BarrierPoles out = *this;
+    out.k1 = fast * share / scale;
+    out.k2 = (share + fast * period) / scale;
+    return out;
+  }
   Scalar k1;  ///< [1/s^2]
   Scalar k2;  ///< [1/s]
+
+ private:
+  Scalar first_, second_;
 };
 
 /// A barrier h(q) >= 0 at the present state: what a host's own barrier has to provide.
@@ -33,14 +59,17 @@ struct BarrierValue {
   Scalar curvature;                    ///< dq^T hess_q h dq [u/s^2]
 };
 
-/// Appends grad_h^T ddq >= -k_1 h - k_2 grad_h^T dq - dq^T hess_h dq [RME, Eq. 19, 20].
+/// Appends grad_h^T ddq >= -k_1 h - k_2 grad_h^T dq - dq^T hess_h dq + e [RME, Eq. 19, 20].
 /// @param weight  of a soft barrier; a miss of the row by s [u/s^2] costs weight * s^2
-/// @return see ConstraintRows::add
+/// @param error   of the acceleration that the row will be held for; e is the most that it can take off grad_h^T ddq
+/// @return see ConstraintRows::add; Infeasible: the gradient is zero, and no acceleration gives what the barrier asks
 template <typename Scalar, int Dofs, int MaxRows>
 Status add_barrier(const BarrierValue<Scalar, Dofs>& barrier, const JointVector<Scalar, Dofs>& dq,
                    const BarrierPoles<Scalar>& poles, ConstraintRows<Scalar, Dofs, MaxRows>& rows,
-                   Scalar weight = ConstraintRows<Scalar, Dofs, MaxRows>::kHard) noexcept {
-  const Scalar bound = -poles.k1 * barrier.h - poles.k2 * barrier.gradient.dot(dq) - barrier.curvature;
+                   Scalar weight = ConstraintRows<Scalar, Dofs, MaxRows>::kHard,
+                   const AccelerationError<Scalar, Dofs>& error = AccelerationError<Scalar, Dofs>()) noexcept {
+  const Scalar bound =
+      -poles.k1 * barrier.h - poles.k2 * barrier.gradient.dot(dq) - barrier.curvature + error.along(barrier.gradient);
   return rows.add(barrier.gradient, bound, rows.kFree, weight);
 }
 
@@ -87,6 +116,9 @@ struct JointLimitsConfig {
   BarrierPoles<Scalar> poles = {Scalar(8), Scalar(40)};     ///< of h = q - q_min and h = q_max - q
   Scalar velocity_pole = Scalar(40);                        ///< p > 0 [1/s]: ddq <= p (limit - dq)
   Scalar weight = std::numeric_limits<Scalar>::infinity();  ///< infinite: hard
+  /// T [s] for which a torque is held: rows for sampled time (BarrierPoles::sampled). 0: the paper's, in continuous
+  /// time.
+  Scalar period = Scalar(0);
 };
 
 /// The limits of all joints, positions and velocities, as one two-sided row on each joint's acceleration:
@@ -94,7 +126,8 @@ struct JointLimitsConfig {
 ///     -k_1 (q - q_min) - k_2 dq <= ddq <= k_1 (q_max - q) - k_2 dq,      -p (dq_max + dq) <= ddq <= p (dq_max - dq)
 ///
 /// The tighter bound of each side counts. Where the two pairs contradict each other, which takes a joint that is both
-/// too fast and next to its limit, the position limit wins.
+/// too fast and next to its limit, the position limit wins. In sampled time p is (1 - e^-pT) / T, and each bound is
+/// moved inwards by the error of the prediction.
 template <typename Scalar, int Dofs>
 class JointLimits {
  public:
@@ -102,10 +135,14 @@ class JointLimits {
   explicit JointLimits(const JointLimitsConfig<Scalar, Dofs>& config);
 
   /// Appends Dofs rows, joint 0 first.
-  /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; CapacityExceeded: then none has been added
+  /// @param error  of the accelerations that the rows will be held for
+  /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; CapacityExceeded: then none has been added.
+  ///         Infeasible: the error leaves a joint no acceleration that is sure to keep both its position limits, and
+  ///         its row asks for the middle of the two bounds; all rows have been added
   template <int MaxRows>
   Status append(const JointVector<Scalar, Dofs>& q, const JointVector<Scalar, Dofs>& dq,
-                ConstraintRows<Scalar, Dofs, MaxRows>& rows) const noexcept;
+                ConstraintRows<Scalar, Dofs, MaxRows>& rows,
+                const AccelerationError<Scalar, Dofs>& error = AccelerationError<Scalar, Dofs>()) const noexcept;
 
  private:
   JointLimitsConfig<Scalar, Dofs> config_;
@@ -120,26 +157,39 @@ JointLimits<Scalar, Dofs>::JointLimits(const JointLimitsConfig<Scalar, Dofs>& co
   }
   detail::require_positive(config.velocity_pole, "JointLimitsConfig::velocity_pole", "> 0 1/s");
   detail::require(config.weight > 0, "JointLimitsConfig::weight", "> 0", config.weight);
+  detail::require(config.period >= 0, "JointLimitsConfig::period", ">= 0 s, at most 2 over the faster pole",
+                  config.period);
+  if (config.period > 0) {
+    config_.poles = config.poles.sampled(config.period);
+    config_.velocity_pole = -std::expm1(-config.velocity_pole * config.period) / config.period;
+  }
 }
 
 template <typename Scalar, int Dofs>
 template <int MaxRows>
 Status JointLimits<Scalar, Dofs>::append(const JointVector<Scalar, Dofs>& q, const JointVector<Scalar, Dofs>& dq,
-                                         ConstraintRows<Scalar, Dofs, MaxRows>& rows) const noexcept {
-  if (!plausible(q) || !plausible(dq)) return Status::NonFiniteInput;
+                                         ConstraintRows<Scalar, Dofs, MaxRows>& rows,
+                                         const AccelerationError<Scalar, Dofs>& error) const noexcept {
+  if (!plausible(q) || !plausible(dq) || !plausible(error.below) || !plausible(error.above))
+    return Status::NonFiniteInput;
   if (rows.size() + Dofs > MaxRows) return Status::CapacityExceeded;
-  const auto& [k1, k2] = config_.poles;
+  const Scalar k1 = config_.poles.k1, k2 = config_.poles.k2;
+  Status all = Status::Ok;
   for (int j = 0; j < Dofs; ++j) {
-    const Scalar lower = -k1 * (q[j] - config_.q_min[j]) - k2 * dq[j];
-    const Scalar upper = k1 * (config_.q_max[j] - q[j]) - k2 * dq[j];
-    const Scalar slowest = -config_.velocity_pole * (config_.velocity_limit[j] + dq[j]);
-    const Scalar fastest = config_.velocity_pole * (config_.velocity_limit[j] - dq[j]);
-    // lower < upper and slowest < fastest always; each velocity bound is clamped into the position bounds.
-    const Status status = rows.add_axis(j, std::min(std::max(lower, slowest), upper),
-                                        std::max(std::min(upper, fastest), lower), config_.weight);
+    Scalar lower = -k1 * (q[j] - config_.q_min[j]) - k2 * dq[j] + error.below[j];
+    Scalar upper = k1 * (config_.q_max[j] - q[j]) - k2 * dq[j] - error.above[j];
+    if (lower > upper) {
+      lower = upper = (lower + upper) / 2;
+      all = Status::Infeasible;
+    }
+    const Scalar slowest = -config_.velocity_pole * (config_.velocity_limit[j] + dq[j]) + error.below[j];
+    const Scalar fastest = config_.velocity_pole * (config_.velocity_limit[j] - dq[j]) - error.above[j];
+    // lower <= upper always; each velocity bound is clamped into the position bounds, then they into each other.
+    const Scalar highest = std::max(std::min(upper, fastest), lower);
+    const Status status = rows.add_axis(j, std::min(std::max(lower, slowest), highest), highest, config_.weight);
     if (status != Status::Ok) return status;
   }
-  return Status::Ok;
+  return all;
 }
 
 }  // namespace rme

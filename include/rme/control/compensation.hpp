@@ -21,6 +21,17 @@ JointVector<Scalar, Dofs> compensation_torque(const Payload<Scalar>& payload,
   return -(jacobian.transpose() * payload_wrench(payload, rotation, gravity).vector());
 }
 
+/// U = m g.(p + R r) [J]: the potential of which compensation_torque is minus the gradient by q, minus the payload's
+/// own.
+/// @param position  p [m], of the end-effector origin, world axes, from a point in the middle of the workspace: what
+///                  EnergyTank promises has the largest |U| in it
+template <typename Scalar>
+Scalar compensation_potential(const Payload<Scalar>& payload, const Vector3<Scalar>& position,
+                              const Matrix3<Scalar>& rotation,
+                              const Vector3<Scalar>& gravity = standard_gravity<Scalar>()) noexcept {
+  return payload.mass * gravity.dot(position + rotation * payload.com);
+}
+
 /// Settings of CompensationRamp.
 template <typename Scalar, int Dofs>
 struct CompensationRampConfig {

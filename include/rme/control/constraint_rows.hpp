@@ -10,7 +10,8 @@ namespace rme {
 /// Up to MaxRows two-sided rows `lower <= a x <= upper`, a bound being infinite where a side is free. Two sides in one
 /// row, since the two limits of a joint share their gradient and never hold together.
 ///
-/// A row with a = 0 constrains nothing. A row is hard, or soft with a weight w: a soft row may be missed by a slack s
+/// A row with a = 0 constrains nothing, and is refused where its bounds leave out zero. A row is hard, or soft with a
+/// weight w: a soft row may be missed by a slack s
 /// >= 0 that costs w s^2.
 template <typename Scalar, int Size, int MaxRows>
 class ConstraintRows {
@@ -30,7 +31,8 @@ class ConstraintRows {
 
   /// Appends lower <= a x <= upper.
   /// @param weight  w > 0 [cost per squared unit of a x]; kHard for none
-  /// @return Ok; NonFiniteInput for a NaN or an infinite a; Infeasible for lower > upper; CapacityExceeded. Only after
+  /// @return Ok; NonFiniteInput for a NaN or an infinite a; Infeasible for lower > upper, and for a = 0 with
+  ///         bounds that leave out zero; CapacityExceeded. Only after
   ///         Ok has the row been added.
   Status add(const Vector& a, Scalar lower, Scalar upper = kFree, Scalar weight = kHard) noexcept {
     return add({a, lower, upper, weight, a.squaredNorm(), -1});
@@ -49,6 +51,7 @@ class ConstraintRows {
     if (!row.a.allFinite() || !(row.weight > 0) || !(row.squared_norm < kFree)) return Status::NonFiniteInput;
     if (row.lower != row.lower || row.upper != row.upper) return Status::NonFiniteInput;
     if (!(row.lower <= row.upper) || row.lower == kFree || row.upper == -kFree) return Status::Infeasible;
+    if (!(row.squared_norm > 0) && (row.lower > 0 || row.upper < 0)) return Status::Infeasible;
     if (size_ == MaxRows) return Status::CapacityExceeded;
     rows_[static_cast<std::size_t>(size_++)] = row;
     return Status::Ok;

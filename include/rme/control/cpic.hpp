@@ -1,10 +1,14 @@
 #pragma once
 /// The constrained passive interaction controller: the torque nearest to a passive task force that keeps the
 /// constraints.
-#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <rme/control/active_set_solver.hpp>
 #include <rme/control/constraint_rows.hpp>
 #include <rme/control/null_space.hpp>
+#include <rme/core/cholesky.hpp>
 #include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
@@ -13,7 +17,10 @@
 
 namespace rme {
 
-/// Settings of Cpic; the torque limits are the arm's and have no default.
+/// Settings of Cpic; the torque limits are the arm's and have no default. Together they set the range of the cost's
+/// weights, max(1, l, eps^-1/2) / min(eps^-1/2, sigma_0 min(1, l)), with sigma_0 = null_space.clearance. Above 2e-3 of
+/// the inverse machine epsilon, 9e12 in double and 1.7e4 in float, rows that can be kept would be called infeasible,
+/// and the constructor refuses. In float, l = 1 allows eps down to 9e-6, and eps = 1e-3 an l down to 0.1.
 template <typename Scalar, int Dofs>
 struct CpicConfig {
   JointVector<Scalar, Dofs> torque_limit = JointVector<Scalar, Dofs>::Zero();  ///< |tau| <= this [N m], > 0
@@ -48,8 +55,8 @@ struct CpicInput {
 ///     s.t. lower_i <= grad_i^T ddq <= upper_i,   M ddq = tau - h,   |tau + other_torque| <= torque_limit
 ///
 /// [RME, Eq. 21 to 27, for redundant arms; docs/theory_control.md]. The unconstrained answer is J^T F_c + N tau_0; the
-/// inverse of the cost's Hessian is (J^T W^-2 J + N / eps) / 2 and is never factorised. Rows come from barriers.hpp or
-/// the host, in the same order each tick, so that the last active set is a good first guess.
+/// inverse of the cost's Hessian is (J^T W^-2 J + N / eps) / 2, of which a root is known without factorising it. Rows
+/// come from barriers.hpp or the host, in the same order each tick, so that the last active set is a good first guess.
 ///
 /// Near singular poses N is damped (null_space.hpp): the torques that J is about to lose become cheap to use for the
 /// constraints, and N tau_0 may then disturb the hand a little, |J N| <= lambda / 2. J^T F_c needs no inverse, hence no
@@ -63,11 +70,12 @@ class Cpic {
   using Rows = ConstraintRows<Scalar, Dofs, MaxRows>;
   using Vector = JointVector<Scalar, Dofs>;
 
-  /// @throws std::invalid_argument naming the field out of range
+  /// @throws std::invalid_argument naming the field out of range, or those that are so together
   explicit Cpic(const CpicConfig<Scalar, Dofs>& config);
 
   /// @param rows  bounds on grad^T ddq; gradient and bounds in any unit that the barrier's h has
-  /// @return Ok; Infeasible: the hard rows cannot all be kept within the torque limits, torque() violates them least;
+  /// @return Ok: every row and limit holds to ActiveSetSolver::kTolerance, relative to the terms of the row written for
+  ///         tau; Infeasible: the hard rows cannot all be kept within the torque limits, torque() violates them least;
   ///         NotConverged: torque() is only known to respect the limits. After NonFiniteInput (also for numbers beyond
   ///         kLargestPlausible), or NotPositiveDefinite for M, nothing has changed and torque() is the last one; where
   ///         it was the rows that overflowed, the next update starts without an active set.
@@ -75,7 +83,9 @@ class Cpic {
   /// Forgets torque and active set.
   void reset() noexcept;
 
-  const Vector& torque() const noexcept { return torque_; }                       ///< tau* [N m]
+  const Vector& torque() const noexcept { return torque_; }  ///< tau* [N m]
+  /// M^-1 (tau* - h) [rad/s^2]: the acceleration on which the rows were held.
+  const Vector& acceleration() const noexcept { return acceleration_; }
   const Vector& unconstrained_torque() const noexcept { return unconstrained_; }  ///< J^T F_c + N tau_0 [N m]
   /// lambda_i: >= 0 if row i pushes at its lower bound, <= 0 at its upper, 0 if inactive.
   Scalar multiplier(int row) const noexcept { return solver_.multiplier(row); }
@@ -88,22 +98,41 @@ class Cpic {
   const NullSpace<Scalar, Dofs>& null_space() const noexcept { return null_space_; }
 
  private:
+  static constexpr double kLargestCondition = 2e-3;  // of the cost's root, times the machine epsilon
+  using Solver = ActiveSetSolver<Scalar, Dofs, MaxRows>;
+
+  typename Solver::Root cost_root(const Jacobian<Scalar, Dofs>& jacobian,
+                                  const NullSpace<Scalar, Dofs>& null_space) const noexcept;
+
   CpicConfig<Scalar, Dofs> config_;
   NullSpace<Scalar, Dofs> null_space_;
-  ActiveSetSolver<Scalar, Dofs, MaxRows> solver_;
+  Scalar wrench_scale_, null_scale_;  // 1 / sqrt(2), 1 / sqrt(2 eps)
+  Solver solver_;
   Rows torque_rows_;  // the rows of ddq, written for tau
   Vector torque_ = Vector::Zero();
   Vector unconstrained_ = Vector::Zero();
+  Vector acceleration_ = Vector::Zero();
 };
 
 template <typename Scalar, int Dofs, int MaxRows>
 Cpic<Scalar, Dofs, MaxRows>::Cpic(const CpicConfig<Scalar, Dofs>& config)
-    : config_(config), null_space_(config.null_space) {
+    : config_(config),
+      null_space_(config.null_space),
+      wrench_scale_(Scalar(1) / std::sqrt(Scalar(2))),
+      null_scale_(Scalar(1) / std::sqrt(2 * config.null_space_weight)) {
   for (int joint = 0; joint < Dofs; ++joint) {
     detail::require(config.torque_limit[joint] > 0, "CpicConfig::torque_limit", "> 0 N m", config.torque_limit[joint]);
   }
   detail::require_positive(config.null_space_weight, "CpicConfig::null_space_weight", "> 0");
   detail::require_positive(config.moment_arm, "CpicConfig::moment_arm", "> 0 m");
+  const Scalar null_space = Scalar(1) / std::sqrt(config.null_space_weight), l = config.moment_arm;
+  const Scalar condition = std::max(null_space, std::max(l, Scalar(1))) /
+                           std::min(null_space, config.null_space.clearance * std::min(l, Scalar(1)));
+  detail::require(condition * std::numeric_limits<Scalar>::epsilon() <= Scalar(kLargestCondition),
+                  "CpicConfig::null_space_weight, moment_arm and null_space.clearance (eps, l, sigma_0)",
+                  "max(1, l, eps^-1/2) / min(eps^-1/2, sigma_0 min(1, l)) <= 2e-3 / machine epsilon "
+                  "(9e12 in double, 1.7e4 in float)",
+                  condition);
 }
 
 template <typename Scalar, int Dofs, int MaxRows>
@@ -111,6 +140,29 @@ void Cpic<Scalar, Dofs, MaxRows>::reset() noexcept {
   solver_.reset();
   torque_.setZero();
   unconstrained_.setZero();
+  acceleration_.setZero();
+}
+
+/// B with B^T B = (J^T W^-2 J + N / eps) / 2: the rows of W^-1 J and of Z^T / sqrt(eps), N = Z Z^T, over sqrt(2). Near
+/// singular poses these are six more than joints, and a QR factorisation leaves as many.
+template <typename Scalar, int Dofs, int MaxRows>
+auto Cpic<Scalar, Dofs, MaxRows>::cost_root(const Jacobian<Scalar, Dofs>& jacobian,
+                                            const NullSpace<Scalar, Dofs>& null_space) const noexcept ->
+    typename Solver::Root {
+  typename Solver::Root root = Solver::Root::Zero();
+  root.template topRows<3>() = wrench_scale_ * jacobian.template topRows<3>();
+  root.template middleRows<3>(3) = (wrench_scale_ * config_.moment_arm) * jacobian.template bottomRows<3>();
+  const JointMatrix<Scalar, Dofs>& Z = null_space.root();
+  if (null_space.damping() > 0) {
+    Eigen::Matrix<Scalar, 6 + Dofs, Dofs> tall;
+    tall.template topRows<6>() = root.template topRows<6>();
+    tall.template bottomRows<Dofs>() = null_scale_ * Z.transpose();
+    const Eigen::HouseholderQR<Eigen::Matrix<Scalar, 6 + Dofs, Dofs>> qr(tall);
+    root.template topRows<Dofs>() = qr.matrixQR().template topRows<Dofs>().template triangularView<Eigen::Upper>();
+  } else {
+    root.template middleRows<Dofs - 6>(6) = null_scale_ * Z.template rightCols<Dofs - 6>().transpose();
+  }
+  return root;
 }
 
 template <typename Scalar, int Dofs, int MaxRows>
@@ -120,9 +172,9 @@ Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input,
       !plausible(input.null_torque) || !plausible(input.other_torque)) {
     return Status::NonFiniteInput;
   }
-  const Eigen::LLT<JointMatrix<Scalar, Dofs>> cholesky(input.mass_matrix);
-  if (cholesky.info() != Eigen::Success) return Status::NotPositiveDefinite;
-  const JointMatrix<Scalar, Dofs> inverse_mass = cholesky.solve(JointMatrix<Scalar, Dofs>::Identity());
+  const Cholesky<Scalar, Dofs> cholesky(input.mass_matrix);
+  if (!cholesky.positive_definite()) return Status::NotPositiveDefinite;
+  const JointMatrix<Scalar, Dofs> inverse_mass = cholesky.inverse();
   if (!plausible(inverse_mass)) return Status::NotPositiveDefinite;  // positive by rounding alone
 
   torque_rows_.clear();
@@ -139,13 +191,11 @@ Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input,
   if (null_space.update(input.jacobian) != Status::Ok) return Status::NonFiniteInput;
   const JointMatrix<Scalar, Dofs>& N = null_space.projector();
   const Vector unconstrained = input.jacobian.transpose() * wrench + N * input.null_torque;
-  Jacobian<Scalar, Dofs> scaled = input.jacobian;  // W^-1 J
-  scaled.template bottomRows<3>() *= config_.moment_arm;
-  const JointMatrix<Scalar, Dofs> inverse_hessian = (scaled.transpose() * scaled + N / config_.null_space_weight) / 2;
-  if (!inverse_hessian.allFinite()) return Status::NonFiniteInput;  // a weight near zero
+  const typename Solver::Root root = cost_root(input.jacobian, null_space);
+  if (!root.allFinite()) return Status::NonFiniteInput;
   const Status status =
-      solver_.solve(inverse_hessian, unconstrained, torque_rows_, -config_.torque_limit - input.other_torque,
-                    config_.torque_limit - input.other_torque);
+      solver_.solve_from_root(root, unconstrained, torque_rows_, -config_.torque_limit - input.other_torque,
+                              config_.torque_limit - input.other_torque);
   if (!solver_.solution().allFinite()) {
     solver_.reset();
     return Status::NonFiniteInput;
@@ -153,6 +203,7 @@ Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input,
   null_space_ = null_space;
   unconstrained_ = unconstrained;
   torque_ = solver_.solution();
+  acceleration_ = inverse_mass * (torque_ - input.bias);
   return status;
 }
 

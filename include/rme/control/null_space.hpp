@@ -43,13 +43,20 @@ class NullSpace {
   Status update(const Jacobian<Scalar, Dofs>& jacobian) noexcept;
 
   const JointMatrix<Scalar, Dofs>& projector() const noexcept { return projector_; }  ///< N, DofsxDofs
+  /// Z with N = Z Z^T, DofsxDofs. The first six columns are zero unless N is damped. Exact to rounding in all of N's
+  /// eigenvalues, of which the entries of N lose the small ones.
+  const JointMatrix<Scalar, Dofs>& root() const noexcept { return root_; }
   /// sigma = |J^+|_F^-1, between sigma_min / sqrt(6) and sigma_min, J's smallest singular value; 0 at a singular pose.
   Scalar clearance() const noexcept { return clearance_; }
   Scalar damping() const noexcept { return damping_; }  ///< lambda
 
  private:
   NullSpaceConfig<Scalar> config_;
+  /// Sets column m of Z to H_0 ... H_5 x, with the reflections whose vectors are in the columns of `a`.
+  void set_root(int m, JointVector<Scalar, Dofs> x, const Eigen::Matrix<Scalar, Dofs, 6>& a) noexcept;
+
   JointMatrix<Scalar, Dofs> projector_ = JointMatrix<Scalar, Dofs>::Zero();
+  JointMatrix<Scalar, Dofs> root_ = JointMatrix<Scalar, Dofs>::Zero();
   Scalar clearance_ = Scalar(0);
   Scalar damping_ = Scalar(0);
 };
@@ -94,25 +101,38 @@ Status NullSpace<Scalar, Dofs>::update(const Jacobian<Scalar, Dofs>& jacobian) n
 
   const Scalar ratio = clearance_ / config_.clearance;
   damping_ = config_.damping * std::max(Scalar(0), Scalar(1) - ratio * ratio);
+  root_.template leftCols<6>().setZero();
+  for (int m = 6; m < Dofs; ++m)
+    set_root(m, JointVector<Scalar, Dofs>::Unit(m), a);  // Q's last columns: the null space
   if (damping_ > 0) {
-    Matrix6<Scalar> damped = jacobian * jacobian.transpose();
+    // In Q's first six columns N is lambda^2 (R R^T + lambda^2 I)^-1 = (lambda C^-T)(lambda C^-T)^T, C the Cholesky
+    // factor.
+    Matrix6<Scalar> R = a.template topRows<6>().template triangularView<Eigen::StrictlyUpper>();
+    R.diagonal() = diagonal;
+    Matrix6<Scalar> damped = R * R.transpose();
     damped.diagonal().array() += damping_ * damping_;
-    const Eigen::Matrix<Scalar, 6, Dofs> y = damped.llt().matrixL().solve(jacobian);
-    projector_.noalias() = -y.transpose() * y;
-    projector_.diagonal().array() += Scalar(1);
+    const Matrix6<Scalar> inverse = damped.llt().matrixL().solve(Matrix6<Scalar>::Identity());  // C^-1
+    for (int m = 0; m < 6; ++m) {
+      JointVector<Scalar, Dofs> x = JointVector<Scalar, Dofs>::Zero();
+      x.template head<6>() = damping_ * inverse.row(m).transpose();
+      set_root(m, x, a);
+    }
+    projector_.noalias() = root_ * root_.transpose();
     return Status::Ok;
   }
-  projector_.setZero();
-  for (int m = 6; m < Dofs; ++m) {  // the last columns of Q span the null space
-    JointVector<Scalar, Dofs> z = JointVector<Scalar, Dofs>::Unit(m);
-    for (int k = 5; k >= 0; --k) {
-      Scalar dot = 0;
-      for (int i = k; i < Dofs; ++i) dot += a(i, k) * z[i];
-      for (int i = k; i < Dofs; ++i) z[i] -= dot * a(i, k);
-    }
-    projector_.noalias() += z * z.transpose();
-  }
+  projector_.noalias() = root_.template rightCols<Dofs - 6>() * root_.template rightCols<Dofs - 6>().transpose();
   return Status::Ok;
+}
+
+template <typename Scalar, int Dofs>
+void NullSpace<Scalar, Dofs>::set_root(int m, JointVector<Scalar, Dofs> x,
+                                       const Eigen::Matrix<Scalar, Dofs, 6>& a) noexcept {
+  for (int k = 5; k >= 0; --k) {
+    Scalar dot = 0;
+    for (int i = k; i < Dofs; ++i) dot += a(i, k) * x[i];
+    for (int i = k; i < Dofs; ++i) x[i] -= dot * a(i, k);
+  }
+  root_.col(m) = x;
 }
 
 }  // namespace rme

@@ -1,6 +1,7 @@
 #pragma once
 /// The proof of passivity as something that runs: stored energy against supplied energy, each tick.
 #include <cmath>
+#include <rme/control/detail/compensated_sum.hpp>
 #include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
@@ -18,7 +19,7 @@ Scalar kinetic_energy(const JointMatrix<Scalar, Dofs>& mass_matrix, const JointV
 /// Keeps the books of the storage function S = kinetic + lambda_1 V [RME, Eq. 34] and of the power supplied to the
 /// system from outside. Passive means that S grows by no more than what was supplied [RME, Eq. 35]: residual() never
 /// rises, but for the error of integrating the power by the trapezoidal rule and of holding the torque for a tick, both
-/// of which vanish with the period.
+/// of which vanish with the period. The sum is a compensated one: in float as well, hours of ticks lose nothing.
 ///
 /// What to count as supplied is the host's choice of port: the external wrench's power, xdot^T (F_ext + dF_mm); with
 /// PassiveController also its injected_power(), and dq^T of every torque beside J^T F_c: null space, constraint forces.
@@ -39,17 +40,18 @@ class PassivityMonitor {
   /// Closes the books: the next update opens new ones. Needed after a change of potential (a new target).
   void reset() noexcept { open_ = false; }
 
-  Scalar storage() const noexcept { return storage_; }    ///< S [J]
-  Scalar supplied() const noexcept { return supplied_; }  ///< energy supplied since the books were opened [J]
+  Scalar storage() const noexcept { return storage_; }            ///< S [J]
+  Scalar supplied() const noexcept { return supplied_.value(); }  ///< energy supplied since the books were opened [J]
   /// S - S(0) - supplied() [J]: minus what was dissipated; never above zero for a passive system.
-  Scalar residual() const noexcept { return open_ ? storage_ - initial_ - supplied_ : Scalar(0); }
+  Scalar residual() const noexcept { return open_ ? -supplied_.minus(storage_ - initial_) : Scalar(0); }
   /// dS/dt less the supplied power, over the last tick [W]: the residual of [RME, Eq. 35], minus xdot^T D xdot.
   Scalar power_residual() const noexcept { return power_residual_; }
 
  private:
   Scalar period_;
   bool open_ = false;
-  Scalar initial_ = Scalar(0), storage_ = Scalar(0), supplied_ = Scalar(0), power_ = Scalar(0);
+  Scalar initial_ = Scalar(0), storage_ = Scalar(0), power_ = Scalar(0);
+  detail::CompensatedSum<Scalar> supplied_;
   Scalar power_residual_ = Scalar(0);
 };
 
@@ -59,10 +61,11 @@ Status PassivityMonitor<Scalar>::update(Scalar storage, Scalar power) noexcept {
   if (!open_) {
     open_ = true;
     initial_ = storage;
-    supplied_ = power_residual_ = Scalar(0);
+    supplied_ = detail::CompensatedSum<Scalar>();
+    power_residual_ = Scalar(0);
   } else {
     const Scalar mean = (power_ + power) / 2;
-    supplied_ += period_ * mean;
+    supplied_.add(period_ * mean);
     power_residual_ = (storage - storage_) / period_ - mean;
   }
   storage_ = storage;

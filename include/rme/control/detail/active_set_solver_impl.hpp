@@ -5,9 +5,8 @@
 namespace rme {
 
 template <typename Scalar, int Size, int MaxRows>
-Status ActiveSetSolver<Scalar, Size, MaxRows>::solve(const Matrix& P, const Vector& x_u, const Rows& rows,
-                                                     const Vector& x_min, const Vector& x_max) noexcept {
-  P_ = &P;
+Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows& rows, const Vector& x_min,
+                                                   const Vector& x_max) noexcept {
   x_u_ = &x_u;
   rows_ = &rows;
   x_min_ = &x_min;
@@ -15,24 +14,37 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::solve(const Matrix& P, const Vect
   relaxed_ = false;
   iterations_ = 0;
   held_.fill(false);
+  factor_.clear();
   for (int k = 0, previous = std::exchange(count_, 0); k < previous; ++k) {
     const int row = active_[index(k)].row;
     // push() never writes beyond the entry being read, so the old list is walked while the new one grows.
-    if (row >= MaxRows || row < rows.size()) push(make(row, active_[index(k)].sign));
+    if (row >= MaxRows || row < rows.size()) push(row, active_[index(k)].sign);
   }
   restore();
 
   Status status = Status::Ok;
-  int row = 0;
+  int row = 0, refinements = 0;
   Scalar sign = 0;
-  while (most_violated(row, sign)) {
+  Active entering;
+  for (;;) {
+    if (!most_violated(row, sign)) {
+      if (exact_ || active_hold(kFeasible)) break;
+      if (refinements++ == kMaxRefinements) {
+        status = Status::NotConverged;
+        break;
+      }
+      refine();
+      continue;
+    }
     if (iterations_ >= kMaxIterations) {
       status = Status::NotConverged;
       break;
     }
-    if (enter(make(row, sign))) {
-      solve_multipliers();
-      move();
+    make(row, sign, entering);
+    if (enter(entering)) {
+      Column w;
+      solve_multipliers(w);
+      move(w);
     } else if (!relaxed_) {
       relax();
     } else {
@@ -46,27 +58,30 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::solve(const Matrix& P, const Vect
 
 /// The constraint (row, sign) of the present problem, not yet pushed.
 template <typename Scalar, int Size, int MaxRows>
-auto ActiveSetSolver<Scalar, Size, MaxRows>::make(int row, Scalar sign) const noexcept -> Active {
-  Active a;
+void ActiveSetSolver<Scalar, Size, MaxRows>::make(int row, Scalar sign, Active& a) noexcept {
+  if (B_ == nullptr) {
+    detail::metric_root(*P_, root_);
+    B_ = &root_;
+  }
   a.row = row;
   a.sign = sign;
   a.multiplier = 0;
-  Scalar bound;
   if (row >= MaxRows) {
     const int j = row - MaxRows;
     a.normal = sign * Vector::Unit(j);
-    a.image = sign * P_->col(j);
-    bound = sign > 0 ? (*x_min_)[j] : (*x_max_)[j];
+    a.image = sign * B_->col(j);
+    a.bound = sign * (sign > 0 ? (*x_min_)[j] : (*x_max_)[j]);
+    a.rise = a.bound - sign * (*x_u_)[j];
   } else {
     const auto& r = (*rows_)[row];
     a.normal = sign * r.a;
-    a.image.noalias() = *P_ * a.normal;
-    bound = sign > 0 ? r.lower : r.upper;
+    a.image = a.normal[0] * B_->col(0);
+    for (int i = 1; i < Size; ++i) a.image += a.normal[i] * B_->col(i);
+    a.bound = sign * (sign > 0 ? r.lower : r.upper);
+    a.rise = a.bound - a.normal.dot(*x_u_);
   }
-  a.curvature = a.normal.dot(a.image);
-  a.rise = sign * bound - a.normal.dot(*x_u_);
+  a.curvature = a.image.squaredNorm();
   a.compliance = compliance(a);
-  return a;
 }
 
 template <typename Scalar, int Size, int MaxRows>
@@ -76,47 +91,25 @@ Scalar ActiveSetSolver<Scalar, Size, MaxRows>::compliance(const Active& a) const
   return soft > 0 || !relaxed_ ? soft : std::sqrt(kEpsilon) * a.curvature;
 }
 
-/// y = L^-1 (n_k^T P n)_k over the first `count` active constraints; returns the pivot n P n + c - y^T y that the
-/// constraint would get.
 template <typename Scalar, int Size, int MaxRows>
-Scalar ActiveSetSolver<Scalar, Size, MaxRows>::project(const Active& a, int count, Column& y) const noexcept {
-  Scalar pivot = a.curvature + a.compliance;
-  for (int k = 0; k < count; ++k) {
-    Scalar sum = active_[index(k)].image.dot(a.normal);
-    for (int l = 0; l < k; ++l) sum -= factor_[index(k)][index(l)] * y[index(l)];
-    y[index(k)] = sum * inverse_pivot_[index(k)];
-    pivot -= y[index(k)] * y[index(k)];
-  }
-  return pivot;
-}
-
-/// y <- L^-T y
-template <typename Scalar, int Size, int MaxRows>
-void ActiveSetSolver<Scalar, Size, MaxRows>::back_substitute(Column& y) const noexcept {
-  for (int k = count_ - 1; k >= 0; --k) {
-    y[index(k)] *= inverse_pivot_[index(k)];
-    for (int l = 0; l < k; ++l) y[index(l)] -= factor_[index(k)][index(l)] * y[index(k)];
-  }
-}
-
-template <typename Scalar, int Size, int MaxRows>
-void ActiveSetSolver<Scalar, Size, MaxRows>::store(const Active& a, const Column& y, Scalar pivot) noexcept {
+void ActiveSetSolver<Scalar, Size, MaxRows>::store(const Active& a, const typename Factor::Split& split) noexcept {
   active_[index(count_)] = a;
-  for (int k = 0; k < count_; ++k) factor_[index(count_)][index(k)] = y[index(k)];
-  inverse_pivot_[index(count_)] = Scalar(1) / std::sqrt(pivot);
+  factor_.set(count_, split);
   held_[index(a.row)] = true;
   ++count_;
 }
 
 /// Appends a constraint of an earlier active set, unless it depends on those before it.
 template <typename Scalar, int Size, int MaxRows>
-bool ActiveSetSolver<Scalar, Size, MaxRows>::push(const Active& a) noexcept {
-  Column y;
-  const Scalar pivot = project(a, count_, y);
+void ActiveSetSolver<Scalar, Size, MaxRows>::push(int row, Scalar sign) noexcept {
+  Active& a = active_[index(count_)];
+  make(row, sign, a);
+  typename Factor::Split split;
+  factor_.split(a.image, a.compliance, count_, split);
   // A generous threshold: a constraint left out here comes back through enter() if the optimum needs it.
-  if (!(pivot > std::sqrt(kEpsilon) * a.curvature) || !std::isfinite(a.rise)) return false;
-  store(a, y, pivot);
-  return true;
+  if (!(split.length * split.length > std::sqrt(kEpsilon) * a.curvature) || !std::isfinite(a.rise)) return;
+  factor_.set(count_++, split);
+  held_[index(row)] = true;
 }
 
 template <typename Scalar, int Size, int MaxRows>
@@ -127,34 +120,38 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::drop(int k) noexcept {
   refactor(k);
 }
 
-/// Computes the rows of L from `from` on anew.
+/// Computes the columns from `from` on anew.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::refactor(int from) noexcept {
+  typename Factor::Split split;
   for (int k = from; k < count_; ++k) {
-    const Scalar pivot = project(active_[index(k)], k, factor_[index(k)]);
-    // S stays positive definite when rows and columns leave it; the floor only guards against rounding.
-    inverse_pivot_[index(k)] = Scalar(1) / std::sqrt(std::max(pivot, kEpsilon * active_[index(k)].curvature));
+    const Active& a = active_[index(k)];
+    factor_.split(a.image, a.compliance, k, split);
+    // Columns stay independent when others leave; the floor only guards against rounding.
+    split.length = std::max(split.length, kEpsilon * std::sqrt(a.curvature));
+    factor_.set(k, split);
   }
 }
 
-/// S lambda = d
+/// R^T w = d, R lambda = w
 template <typename Scalar, int Size, int MaxRows>
-void ActiveSetSolver<Scalar, Size, MaxRows>::solve_multipliers() noexcept {
+void ActiveSetSolver<Scalar, Size, MaxRows>::solve_multipliers(Column& w) noexcept {
   Column y;
   for (int k = 0; k < count_; ++k) {
-    Scalar sum = active_[index(k)].rise;
-    for (int l = 0; l < k; ++l) sum -= factor_[index(k)][index(l)] * y[index(l)];
-    y[index(k)] = sum * inverse_pivot_[index(k)];
+    w[index(k)] = active_[index(k)].rise;
+    factor_.forward(w, k);
+    y[index(k)] = w[index(k)];
   }
-  back_substitute(y);
+  factor_.backward(y, count_);
   for (int k = 0; k < count_; ++k) active_[index(k)].multiplier = y[index(k)];
 }
 
 /// Drops constraints until all multipliers are non-negative: from there on the dual method may start.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::restore() noexcept {
+  Column w;
   while (count_ > 0) {
-    solve_multipliers();
+    solve_multipliers(w);
     int worst = 0;
     for (int k = 1; k < count_; ++k) {
       if (active_[index(k)].multiplier < active_[index(worst)].multiplier) worst = k;
@@ -163,50 +160,49 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::restore() noexcept {
     drop(worst);
     ++iterations_;
   }
-  move();
+  move(w);
 }
 
-/// x = x_u + sum lambda_k P n_k
+/// x = x_u + B^T sum_k w_k q_k: multipliers of nearly parallel rows, which are large and cancel, are not in it.
 template <typename Scalar, int Size, int MaxRows>
-void ActiveSetSolver<Scalar, Size, MaxRows>::move() noexcept {
+void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   x_ = *x_u_;
-  for (int k = 0; k < count_; ++k) x_ += active_[index(k)].multiplier * active_[index(k)].image;
-  if (count_ > 1) refine();
+  if (count_ > 0) x_.noalias() += B_->transpose().lazyProduct(factor_.combine(w, count_));
+  exact_ = active_hold(kRounding);
+  if (!exact_) refine();
 }
 
-/// One step of iterative refinement on the active constraints: nearly parallel ones have large multipliers whose terms
-/// cancel in x. The correction is added to x as it is, not to the sum, where it would drown in the same rounding.
+/// One step of iterative refinement on the active constraints. The correction is added to x as it is, not to a sum,
+/// where it would drown in the same rounding.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
   const Vector moved = x_ - *x_u_;
-  Column y;
+  Column w, y;
   for (int k = 0; k < count_; ++k) {
     const Active& a = active_[index(k)];
-    Scalar sum = a.rise - a.normal.dot(moved) - a.compliance * a.multiplier;
-    for (int l = 0; l < k; ++l) sum -= factor_[index(k)][index(l)] * y[index(l)];
-    y[index(k)] = sum * inverse_pivot_[index(k)];
+    w[index(k)] = a.rise - a.normal.dot(moved) - a.compliance * a.multiplier;
+    factor_.forward(w, k);
+    y[index(k)] = w[index(k)];
   }
-  back_substitute(y);
-  for (int k = 0; k < count_; ++k) {
-    active_[index(k)].multiplier += y[index(k)];
-    x_ += y[index(k)] * active_[index(k)].image;
-  }
+  factor_.backward(y, count_);
+  for (int k = 0; k < count_; ++k) active_[index(k)].multiplier += y[index(k)];
+  x_.noalias() += B_->transpose().lazyProduct(factor_.combine(w, count_));
 }
 
 /// Brings a violated constraint into the active set, dropping those whose multiplier would turn negative on the way.
 /// @return false if it contradicts those that cannot be dropped
 template <typename Scalar, int Size, int MaxRows>
-bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(Active a) noexcept {
+bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(const Active& a) noexcept {
   Scalar rise = a.rise - a.normal.dot(x_ - *x_u_);
-  Column y, r;
+  typename Factor::Split split;
+  Column r;
   for (; iterations_ < kMaxIterations; ++iterations_) {
-    const Scalar pivot = project(a, count_, y);
-    r = y;
-    back_substitute(r);
+    factor_.split(a.image, a.compliance, count_, split);
+    for (int k = 0; k < count_; ++k) r[index(k)] = split.within[index(k)];
+    factor_.backward(r, count_);
     Scalar blocked = kInfinity;  // the step at which a multiplier reaches zero
     int blocking = -1;
     int hard = 0;
-    Scalar magnitude = std::sqrt(a.curvature + a.compliance);
     for (int k = 0; k < count_; ++k) {
       const Active& other = active_[index(k)];
       const Scalar rate = r[index(k)];
@@ -214,14 +210,14 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(Active a) noexcept {
         blocked = std::max(other.multiplier, Scalar(0)) / rate;
         blocking = k;
       }
-      magnitude += std::abs(rate) * std::sqrt(other.curvature + other.compliance);
       hard += other.compliance > 0 ? 0 : 1;
     }
-    // The pivot is [-r 1] S [-r 1]^T, so rounding leaves it this uncertain; Size hard rows span everything.
-    const bool dependent = pivot <= 16 * kEpsilon * magnitude * magnitude || (hard >= Size && !(a.compliance > 0));
+    const Scalar pivot = split.length * split.length;
+    const bool dependent = (hard >= Size && !(a.compliance > 0)) || !(pivot > 0) ||
+                           (split.cancelled && split.length <= 4 * kEpsilon * noise(a, r));
     const Scalar full = dependent ? kInfinity : rise / pivot;
     if (full <= blocked && !dependent) {
-      store(a, y, pivot);
+      store(a, split);
       ++iterations_;
       return true;
     }
@@ -231,6 +227,17 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(Active a) noexcept {
     drop(blocking);
   }
   return true;
+}
+
+/// What rounding may leave of the orthogonal part of g - sum_k r_k g_k, in machine epsilons: B n is a sum with terms as
+/// large as |B| |n|.
+template <typename Scalar, int Size, int MaxRows>
+Scalar ActiveSetSolver<Scalar, Size, MaxRows>::noise(const Active& a, const Column& r) const noexcept {
+  Vector sum = a.normal.cwiseAbs();
+  for (int k = 0; k < count_; ++k) sum += std::abs(r[index(k)]) * active_[index(k)].normal.cwiseAbs();
+  Image terms = Image::Zero();
+  for (int i = 0; i < Size; ++i) terms += sum[i] * B_->col(i).cwiseAbs();
+  return terms.norm();
 }
 
 /// Finds the violated constraint that is furthest away in x; the active ones hold.
@@ -256,6 +263,18 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::most_violated(int& row, Scalar& sig
     if (!held_[index(MaxRows + j)]) consider(MaxRows + j, x_[j], (*x_min_)[j], (*x_max_)[j], Scalar(1));
   }
   return furthest > 0;
+}
+
+/// Whether the active constraints hold in x_, soft ones by their slack.
+template <typename Scalar, int Size, int MaxRows>
+bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance) const noexcept {
+  for (int k = 0; k < count_; ++k) {
+    const Active& a = active_[index(k)];
+    const Scalar miss = a.bound - a.normal.dot(x_) - a.compliance * std::max(a.multiplier, Scalar(0));
+    if (miss <= tolerance * std::abs(a.bound)) continue;
+    if (!(miss <= tolerance * (a.normal.norm() * (x_u_->norm() + x_.norm()) + std::abs(a.bound)))) return false;
+  }
+  return true;
 }
 
 /// Makes the hard rows soft and goes on from the active set reached.

@@ -1,0 +1,124 @@
+#pragma once
+/// The orthogonal factorisation of active constraint normals in the metric of a quadratic program.
+#include <array>
+#include <cmath>
+#include <limits>
+#include <rme/core/types.hpp>
+
+namespace rme::detail {
+
+/// With P = B^T B, each active normal n_k has the image g_k = B n_k, and a soft one its own axis beside it, of length
+/// sqrt(c_k). The columns [g_k; sqrt(c_k) e_k] = sum_l q_l R_lk are orthogonalised by Gram and Schmidt, a second time
+/// where the first leaves little, so that S = R^T R with an error that grows with the root of S's condition only
+/// (docs/theory_control.md, the dual method). Every q_l has the part `top` in the space of g and the part `beside` on
+/// the axes of the soft rows among the first l.
+/// @tparam Size      dimension of n
+/// @tparam Capacity  most columns
+template <typename Scalar, int Size, int Capacity>
+class ActiveFactor {
+ public:
+  // Of a length that vector instructions like; the surplus is zero.
+  using Image = Eigen::Matrix<Scalar, (Size + 3) / 4 * 4, 1>;
+  using Column = std::array<Scalar, static_cast<std::size_t>(Capacity)>;
+
+  /// What a column has within the span of others, and what it adds to them.
+  struct Split {
+    Column within;   // R_l, l < count
+    Image top;       // its part orthogonal to them, not yet of unit length
+    Column beside;   // the same on the axes of the soft rows; set if it has such a part
+    Scalar length;   // of the orthogonal part
+    bool cancelled;  // whether nine tenths and more of the column lay in the span
+    bool soft;       // whether `beside` is set
+  };
+
+  void clear() noexcept { soft_ = false; }
+
+  /// Splits a column against the first `count`.
+  void split(const Image& g, Scalar compliance, int count, Split& s) const noexcept {
+    s.top = g;
+    s.soft = soft_ || compliance > 0;
+    if (s.soft) {
+      for (int j = 0; j < count; ++j) s.beside[at(j)] = 0;
+      s.beside[at(count)] = std::sqrt(compliance);
+    }
+    for (int l = 0; l < count; ++l) s.within[at(l)] = q_[at(l)].dot(g);
+    subtract(s.within, count, s);
+    Scalar squared = squared_length(s, count);
+    s.cancelled = count > 0 && squared < Scalar(0.01) * (g.squaredNorm() + compliance);
+    if (s.cancelled) {
+      Column again;
+      for (int l = 0; l < count; ++l) {
+        again[at(l)] = q_[at(l)].dot(s.top);
+        if (soft_) {
+          for (int j = 0; j <= l; ++j) again[at(l)] += beside_[at(l)][at(j)] * s.beside[at(j)];
+        }
+        s.within[at(l)] += again[at(l)];
+      }
+      subtract(again, count, s);
+      squared = squared_length(s, count);
+    }
+    s.length = std::sqrt(squared);
+  }
+
+  /// Makes a column that was split against the first k the one with number k.
+  void set(int k, const Split& s) noexcept {
+    inverse_[at(k)] = Scalar(1) / s.length;
+    q_[at(k)] = s.top * inverse_[at(k)];
+    for (int l = 0; l < k; ++l) r_[at(k)][at(l)] = s.within[at(l)];
+    if (s.soft && !soft_) {
+      for (int l = 0; l < k; ++l) {
+        for (int j = 0; j <= l; ++j) beside_[at(l)][at(j)] = 0;
+      }
+      soft_ = true;
+    }
+    if (soft_) {
+      for (int j = 0; j <= k; ++j) beside_[at(k)][at(j)] = s.beside[at(j)] * inverse_[at(k)];
+    }
+  }
+
+  /// y <- R^-T y, element k, given those before it.
+  void forward(Column& y, int k) const noexcept {
+    for (int l = 0; l < k; ++l) y[at(k)] -= r_[at(k)][at(l)] * y[at(l)];
+    y[at(k)] *= inverse_[at(k)];
+  }
+  /// y <- R^-1 y
+  void backward(Column& y, int count) const noexcept {
+    for (int k = count - 1; k >= 0; --k) {
+      y[at(k)] *= inverse_[at(k)];
+      for (int l = 0; l < k; ++l) y[at(l)] -= r_[at(k)][at(l)] * y[at(k)];
+    }
+  }
+  /// sum_k y_k q_k, in the space of g
+  Image combine(const Column& y, int count) const noexcept {
+    Image z = Image::Zero();
+    for (int k = 0; k < count; ++k) z += y[at(k)] * q_[at(k)];
+    return z;
+  }
+
+ private:
+  static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
+
+  void subtract(const Column& r, int count, Split& s) const noexcept {
+    for (int l = 0; l < count; ++l) {
+      s.top -= r[at(l)] * q_[at(l)];
+      if (soft_) {
+        for (int j = 0; j <= l; ++j) s.beside[at(j)] -= r[at(l)] * beside_[at(l)][at(j)];
+      }
+    }
+  }
+  static Scalar squared_length(const Split& s, int count) noexcept {
+    Scalar sum = s.top.squaredNorm();
+    if (s.soft) {
+      for (int j = 0; j <= count; ++j) sum += s.beside[at(j)] * s.beside[at(j)];
+    }
+    return sum;
+  }
+
+  std::array<Image, static_cast<std::size_t>(Capacity)> q_;
+  std::array<Column, static_cast<std::size_t>(Capacity)> r_;       // R by columns, above the diagonal
+  std::array<Column, static_cast<std::size_t>(Capacity)> beside_;  // set if soft_
+  Column inverse_;                                                 // 1 / R_kk
+  bool soft_ = false;                                              // whether any column has been soft since clear()
+};
+
+}  // namespace rme::detail

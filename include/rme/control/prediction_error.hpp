@@ -1,0 +1,97 @@
+#pragma once
+/// How far the arm's acceleration may be from the one that was predicted.
+#include <algorithm>
+#include <cmath>
+#include <rme/core/plausible.hpp>
+#include <rme/core/require.hpp>
+#include <rme/core/status.hpp>
+#include <rme/core/types.hpp>
+
+namespace rme {
+
+/// A bound on the error of a predicted joint acceleration, each side for itself:
+///
+///     predicted - below <= ddq <= predicted + above      [rad/s^2], both >= 0
+///
+/// What barriers.hpp takes off its rows: with it, they keep what they promise although the prediction is wrong.
+template <typename Scalar, int Dofs>
+struct AccelerationError {
+  JointVector<Scalar, Dofs> below, above;
+
+  AccelerationError() noexcept { below = above = JointVector<Scalar, Dofs>::Zero(); }
+  AccelerationError(const JointVector<Scalar, Dofs>& below_, const JointVector<Scalar, Dofs>& above_) noexcept
+      : below(below_), above(above_) {}
+  /// The most by which gradient . ddq may lie below what is predicted, >= 0.
+  Scalar along(const JointVector<Scalar, Dofs>& gradient) const noexcept {
+    return gradient.cwiseMax(Scalar(0)).dot(below) - gradient.cwiseMin(Scalar(0)).dot(above);
+  }
+};
+
+/// Settings of PredictionErrorWatch.
+template <typename Scalar, int Dofs>
+struct PredictionErrorConfig {
+  /// What the host states itself, added at all times [rad/s^2], >= 0.
+  JointVector<Scalar, Dofs> stated = JointVector<Scalar, Dofs>::Zero();
+  /// How long an error that was seen counts, to a share of 1/e [s], > 0.
+  Scalar memory = Scalar(0.02);
+};
+
+/// Bounds the error of the next prediction by those just seen: (dq_k - dq_k-1) / T - predicted_k-1, the largest of each
+/// sign, forgotten exponentially, on top of what the host states. A push that grows is an error that lasts, and covered
+/// from its second tick on. A heuristic: what has never been seen is not bounded by it, so that a guarantee needs
+/// `stated`.
+template <typename Scalar, int Dofs>
+class PredictionErrorWatch {
+ public:
+  using Vector = JointVector<Scalar, Dofs>;
+
+  /// @param period  T, from one observe() to the next [s], > 0
+  /// @throws std::invalid_argument naming the field out of range
+  explicit PredictionErrorWatch(
+      Scalar period, const PredictionErrorConfig<Scalar, Dofs>& config = PredictionErrorConfig<Scalar, Dofs>())
+      : config_(config), period_(period), keep_(std::exp(-period / config.memory)) {
+    detail::require_positive(period, "PredictionErrorWatch::period", "> 0 s");
+    detail::require_positive(config.memory, "PredictionErrorConfig::memory", "> 0 s");
+    for (int j = 0; j < Dofs; ++j) {
+      detail::require(config.stated[j] >= 0 && plausible(config.stated[j]), "PredictionErrorConfig::stated",
+                      ">= 0 rad/s^2", config.stated[j]);
+    }
+    error_.below = error_.above = config.stated;
+  }
+
+  /// Compares this tick's velocity with what was predicted, if predict() was called since the last one.
+  /// @return Ok, or NonFiniteInput: the bounds stay as they were, and the prediction is dropped
+  Status observe(const Vector& dq) noexcept {
+    const bool comparable = predicted_known_;
+    predicted_known_ = false;
+    if (!plausible(dq)) return Status::NonFiniteInput;
+    below_ *= keep_;
+    above_ *= keep_;
+    if (comparable) {
+      const Vector off = (dq - dq_) / period_ - predicted_;
+      below_ = below_.cwiseMax(-off);
+      above_ = above_.cwiseMax(off);
+    }
+    error_.below = config_.stated + below_;
+    error_.above = config_.stated + above_;
+    dq_ = dq;
+    return Status::Ok;
+  }
+  /// Notes the acceleration that the torque of this tick is to make, Cpic::acceleration().
+  void predict(const Vector& ddq) noexcept {
+    predicted_ = ddq;
+    predicted_known_ = ddq.allFinite();
+  }
+
+  const AccelerationError<Scalar, Dofs>& error() const noexcept { return error_; }
+
+ private:
+  PredictionErrorConfig<Scalar, Dofs> config_;
+  Scalar period_, keep_;
+  Vector dq_ = Vector::Zero(), predicted_ = Vector::Zero();
+  bool predicted_known_ = false;
+  Vector below_ = Vector::Zero(), above_ = Vector::Zero();
+  AccelerationError<Scalar, Dofs> error_;
+};
+
+}  // namespace rme
