@@ -38,7 +38,9 @@ LinkRegressors link_regressors(const Log<Dofs>& log, const Samples<Dofs>& sample
   std::vector<Eigen::Matrix<double, Dofs, kInertial>> rows;
   LinkRegressors out(Dofs);
   for (int link = 0; link < Dofs; ++link) {
-    BlockAverager<double, Dofs> averager(samples.bandwidth, arm.model.gravity_vector);
+    // As in blocks_of(): blocks of the same instants for every link.
+    using Averager = BlockAverager<double, Dofs>;
+    Averager averager(samples.bandwidth, arm.model.gravity_vector, Averager::kDuration);
     rows.clear();
     for (std::size_t k = 0; k < samples.sample.size(); ++k) {
       Proprioception<double, Dofs> sample = samples.sample[k];

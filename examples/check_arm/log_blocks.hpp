@@ -27,7 +27,8 @@ struct LogBlocks {
 
 template <int Dofs>
 LogBlocks blocks_of(const Log<Dofs>& log, const Samples<Dofs>& samples, const RecordedArm<Dofs>& arm) {
-  BlockAverager<double, Dofs> averager(samples.bandwidth, arm.model.gravity_vector);
+  using Averager = BlockAverager<double, Dofs>;
+  Averager averager(samples.bandwidth, arm.model.gravity_vector, Averager::kDuration);
   FrictionRegime<double, Dofs> regime;
   struct Row {
     TorqueBlock<double, Dofs> block;

@@ -52,7 +52,9 @@ class BlockAverager {
 
   /// @param bandwidth  K of the observer that tau_ext has gone through [rad/s]; 0 if it is unfiltered
   /// @param gravity    g [m/s^2], world axes
-  BlockAverager(double bandwidth, const Vector3<Scalar>& gravity) noexcept : bandwidth_(bandwidth), gravity_(gravity) {
+  /// @param longest    that noise of dq may make a block [s], >= kDuration
+  BlockAverager(double bandwidth, const Vector3<Scalar>& gravity, double longest = kLongest) noexcept
+      : bandwidth_(bandwidth), gravity_(gravity), longest_(longest) {
     clear();
   }
 
@@ -89,6 +91,7 @@ class BlockAverager {
 
   double bandwidth_;
   Vector3<Scalar> gravity_;
+  double longest_;
   bool started_ = false;
   Proprioception<Scalar, Dofs> last_;
   Twist<Scalar> last_twist_;  // of the last sample
@@ -137,7 +140,7 @@ void BlockAverager<Scalar, Dofs>::learn_noise() noexcept {
   const auto variance = static_cast<double>(linear.maxCoeff());
   const double period = static_cast<double>(duration_) / std::max(1, sums_.samples);
   // The slope of n = T / period samples has a variance of 12 / (n T^2) of one's.
-  target_ = std::max(kDuration, std::min(kLongest, std::cbrt(12 * period * variance / (kFeigned * kFeigned))));
+  target_ = std::max(kDuration, std::min(longest_, std::cbrt(12 * period * variance / (kFeigned * kFeigned))));
 }
 
 template <typename Scalar, int Dofs>
