@@ -1,6 +1,5 @@
 #pragma once
-/// All of rme but its JSON forms (rme/network/json.hpp and rme/event_estimator_json.hpp, rme/estimator_json.hpp, target
-/// rme::json).
+/// All of rme but its JSON forms (rme/network/json.hpp and rme/estimator_json.hpp, target rme::json).
 #include <rme/control/active_set_solver.hpp>
 #include <rme/control/barriers.hpp>
 #include <rme/control/compensation.hpp>
@@ -27,20 +26,14 @@
 #include <rme/core/sum_of_logs.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
-#include <rme/estimate.hpp>
 #include <rme/estimator.hpp>
 #include <rme/estimator_config.hpp>
 #include <rme/estimator_state.hpp>
-#include <rme/event_estimator.hpp>
-#include <rme/event_estimator_config.hpp>
-#include <rme/event_samples.hpp>
-#include <rme/inference/event_inference.hpp>
 #include <rme/inference/evidence.hpp>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/fixed_prior.hpp>
 #include <rme/inference/inference_result.hpp>
 #include <rme/inference/mean_field.hpp>
-#include <rme/inference/model_average.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_likelihood.hpp>
 #include <rme/inference/payload_regressor.hpp>
@@ -49,7 +42,6 @@
 #include <rme/inference/sensor_model.hpp>
 #include <rme/inference/stochastic_vi.hpp>
 #include <rme/inference/variational_inference.hpp>
-#include <rme/inference/window_statistics.hpp>
 #include <rme/network/architecture.hpp>
 #include <rme/network/conv1d.hpp>
 #include <rme/network/exponential.hpp>
@@ -68,7 +60,6 @@
 #include <rme/sensing/friction_direction.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/momentum_observer.hpp>
-#include <rme/sensing/onset.hpp>
 #include <rme/sensing/proprioception.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
 #include <rme/sensing/sample_window.hpp>

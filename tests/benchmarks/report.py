@@ -252,7 +252,7 @@ dearest kind of tick is the one of the 20 whose median is highest. What bounds e
 
 ## Scaling
 
-![Time by window length, joints and constraint rows](images/performance_scaling.png)
+![Time by joints and constraint rows](images/performance_scaling.png)
 
 ## What a build pays
 

@@ -31,22 +31,11 @@ struct PayloadObservation {
   PayloadRegressor<Scalar, Dofs> regressor;                                 ///< a, B, Q
   JointVector<Scalar, Dofs> direction = JointVector<Scalar, Dofs>::Zero();  ///< of dry friction, in [-1, 1]
   JointVector<Scalar, Dofs> velocity = JointVector<Scalar, Dofs>::Zero();   ///< dq [rad/s]
-
-  PayloadObservation& operator+=(const PayloadObservation& other) noexcept {
-    tau += other.tau;
-    regressor.a += other.regressor.a;
-    regressor.B += other.regressor.B;
-    regressor.Q += other.regressor.Q;
-    direction += other.direction;
-    velocity += other.velocity;
-    return *this;
-  }
 };
 
 /// Sums over a window, per joint: the Gram matrix of z = (y, a, B_x, B_y, B_z, 1, -direction, -velocity). They do not
 /// depend on the noise level, the offset or the friction, which may therefore be settled afterwards; they add up, so
-/// windows can be joined. O(Dofs) per tick, whatever the window. The model is linear in (m, m r) here: exact at rest;
-/// of a carried payload WindowStatistics::about() makes the sums.
+/// windows can be joined. O(Dofs) per tick, whatever the window. The model is linear in (m, m r) here: exact at rest.
 template <typename Scalar, int Dofs>
 class PayloadStatistics {
  public:
@@ -58,8 +47,6 @@ class PayloadStatistics {
   PayloadStatistics() noexcept {
     for (auto& g : gram_) g.setZero();
   }
-  /// @param count  ticks that the Gram matrices are of
-  PayloadStatistics(const Grams& gram, int count) noexcept : gram_(gram), count_(count) {}
 
   /// z of one tick and joint.
   static Row row(const PayloadObservation<Scalar, Dofs>& o, int joint) noexcept {

@@ -10,7 +10,7 @@
 
 namespace rme {
 
-/// Per joint, what tau_ext carries beside the payload (docs/tuning.md says how to measure it on one's own arm):
+/// Per joint, what tau_ext carries beside the payload (docs/theory.md, "Faults that do not average out"):
 ///
 ///     tau_ext = payload + offset + stiction - coulomb * direction - viscous * dq + noise
 template <typename Scalar, int Dofs>
