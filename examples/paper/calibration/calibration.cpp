@@ -175,7 +175,7 @@ class Bench : public Host {
   static rme::EstimatorConfig<double, 7> settings(const Options& options, Kind kind) {
     rme::EstimatorConfig<double, 7> config;
     if (options.told)
-      config.sensing = kind == Kind::JointFriction ? rme::SensingPrior::JointFriction : rme::SensingPrior::LinkSide;
+      config.sensing = kind == Kind::JointFriction ? rme::Sensing::JointFriction : rme::Sensing::LinkSide;
     return config;
   }
   Draw draw_;

@@ -21,7 +21,7 @@ void require_ok(const char* who, Status status) {
 
 EstimatorConfig<double, 7> told(const SyntheticArmConfig<7>& arm) {
   EstimatorConfig<double, 7> config;
-  config.sensing = arm.friction.coulomb.isZero() ? SensingPrior::LinkSide : SensingPrior::JointFriction;
+  config.sensing = arm.friction.coulomb.isZero() ? Sensing::LinkSide : Sensing::JointFriction;
   return config;
 }
 
