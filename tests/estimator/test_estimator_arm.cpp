@@ -56,7 +56,7 @@ TEST_CASE("Estimator: what kind of arm it is on shows in motion, and is remember
       host.run(1);
       host.run(6, 0.3);
       const auto& state = host.estimator.state();
-      const auto known = [&] { return friction ? state.friction_shows > 0.99 : state.friction_shows < 0.01; };
+      const auto known = [&] { return friction ? state.friction_shows() > 0.99 : state.friction_shows() < 0.01; };
       CHECK(known());
       for (const double mass : {0.3, 0.8, 1.6}) {
         CAPTURE(mass);
