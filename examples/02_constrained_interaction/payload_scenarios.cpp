@@ -175,7 +175,7 @@ int run(Arguments& arguments) {
       "|---------------|------------------------------------:|------------------:|-----------:|--------------:|-----"
       "-------------:|---------------------:|\n");
   for (int r = 0; r < 4; ++r) {
-    std::printf("| %-13s | %35d | %12.2f mrad | %7.2f mm | %7.2f m(rad) | %16ld | %18.1g N m |\n", kNames[r],
+    std::printf("| %-13s | %35d | %12.2f mrad | %7.2f mm | %7.2f mm, mrad | %16ld | %18.1g N m |\n", kNames[r],
                 all[r].crossings, 1e3 * all[r].joint, 1e3 * all[r].wall, 1e3 * all[r].short_of / count,
                 all[r].infeasible, std::max(all[r].excess, 0.0));
   }

@@ -67,24 +67,22 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
   input.null_torque = posture_.torque(q, dq);
   input.other_torque = dynamics.gravity + ramp_.torque();
 
-  rows_.clear();
   status_ = prediction_.observe(dq);
   if (status_ != Status::Ok) return torque_;
-  if (config_.sampled) error_ = prediction_.error();
+  const AccelerationError<double, 7> seen = config_.sampled ? prediction_.error() : AccelerationError<double, 7>();
+  AccelerationError<double, 7> error = seen;
   if (config_.payload_aware) {
     status_ =
         uncertainty_.update(payload_, probability_, kinematics.jacobian, kinematics.rotation, dynamics.mass_matrix);
     if (status_ != Status::Ok) return torque_;
-    error_.below += uncertainty_.error().below;
-    error_.above += uncertainty_.error().above;
+    error.below += uncertainty_.error().below;
+    error.above += uncertainty_.error().above;
   }
-  if (config_.constrained) {
-    status_ = limits_.append(q, dq, rows_, error_);
-    if (status_ == Status::Infeasible) status_ = Status::Ok;  // what the error leaves room for
-    if (status_ == Status::Ok && config_.wall) status_ = add_wall(kinematics, twist, dq);
-    if (status_ != Status::Ok) return torque_;
-  }
-  status_ = cpic_.update(input, rows_);
+  if (config_.wall) track_flange(kinematics, twist, dq);
+  status_ = solve(input, q, dq, error);
+  // More than the arm can allow for: what is surely known first. An answer that misses rows by least squares would give
+  // up limits that can be kept.
+  if (status_ == Status::Infeasible && config_.payload_aware) status_ = solve(input, q, dq, seen);
   if (status_ == Status::NonFiniteInput || status_ == Status::NotPositiveDefinite) return torque_;
   prediction_.predict(cpic_.acceleration());
   // Within the limits already, but for the last bit of this sum.
@@ -92,15 +90,31 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
   return torque_;
 }
 
-Status Host::add_wall(const Kinematics<7>& kinematics, const Twist<double>& twist, const Vector& dq) noexcept {
+Status Host::solve(const CpicInput<double, 7>& input, const Vector& q, const Vector& dq,
+                   const AccelerationError<double, 7>& error) noexcept {
+  rows_.clear();
+  Status limits = Status::Ok;  // Infeasible where the error leaves no room: there is an answer all the same
+  if (config_.constrained) {
+    limits = limits_.append(q, dq, rows_, error);
+    if (limits != Status::Ok && limits != Status::Infeasible) return limits;
+    if (config_.wall) {
+      const Status wall = add_barrier(half_space(flange_, config_.wall->normal, config_.wall->offset), dq, wall_poles_,
+                                      rows_, config_.wall_weight, error);
+      if (wall != Status::Ok) return wall;
+    }
+  }
+  const Status status = cpic_.update(input, rows_);
+  return status == Status::Ok ? limits : status;
+}
+
+/// The flange's motion, with Jdot as the change of J over the last tick.
+void Host::track_flange(const Kinematics<7>& kinematics, const Twist<double>& twist, const Vector& dq) noexcept {
   const Eigen::Matrix<double, 3, 7> J_v = kinematics.jacobian.topRows<3>();
   if (!started_) last_ = J_v;
-  const Eigen::Matrix<double, 3, 7> rate = (J_v - last_) / config_.period;  // Jdot, over the last tick
+  const Eigen::Matrix<double, 3, 7> rate = (J_v - last_) / config_.period;
   last_ = J_v;
   started_ = true;
-  const PointMotion<double, 7> flange = {kinematics.position, twist.linear, J_v, rate * dq};
-  return add_barrier(half_space(flange, config_.wall->normal, config_.wall->offset), dq, wall_poles_, rows_,
-                     config_.wall_weight, error_);
+  flange_ = {kinematics.position, twist.linear, J_v, rate * dq};
 }
 
 }  // namespace rme::examples

@@ -93,7 +93,10 @@ class Host {
   const Vector& compensation() const noexcept { return ramp_.torque(); }
 
  private:
-  Status add_wall(const Kinematics<7>& kinematics, const Twist<double>& twist, const Vector& dq) noexcept;
+  /// CPIC under rows that allow for this error of the prediction.
+  Status solve(const CpicInput<double, 7>& input, const Vector& q, const Vector& dq,
+               const AccelerationError<double, 7>& error) noexcept;
+  void track_flange(const Kinematics<7>& kinematics, const Twist<double>& twist, const Vector& dq) noexcept;
 
   HostConfig config_;
   LinearAttractor<double> attractor_;
@@ -107,7 +110,7 @@ class Host {
   CompensationRamp<double, 7> ramp_;
   PredictionErrorWatch<double, 7> prediction_;
   PayloadUncertainty<double, 7> uncertainty_;
-  AccelerationError<double, 7> error_;  // that the rows of this tick allow for
+  PointMotion<double, 7> flange_;
   PayloadGaussian<double> payload_ = {Eigen::Vector4d::Zero(), Eigen::Matrix4d::Zero()};
   PerHypothesis<double> probability_;
   MomentumObserver<double, 7> disturbance_;
