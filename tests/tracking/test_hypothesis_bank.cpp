@@ -43,7 +43,7 @@ template <int Dofs>
 double take_in(Bank<Dofs>& bank, const Block<Dofs>& block, rme::FrictionRegime<double, Dofs>& regime,
                bool exchange_likely = false) {
   regime.update(block);
-  bank.begin(block, regime, exchange_likely);
+  bank.begin(block, regime, exchange_likely, true);
   for (std::size_t i = 0; i < rme::kHypotheses; ++i) bank.evaluate(i);
   return bank.finish();
 }

@@ -32,8 +32,9 @@ class HypothesisBank {
 
   /// Starts a block.
   /// @param exchange_likely  the host says that the payload changes now
-  void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
-             bool exchange_likely) noexcept;
+  /// @param kind_likely      the arm may well have this kind of torque sensing
+  void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime, bool exchange_likely,
+             bool kind_likely) noexcept;
   /// Mixes, predicts and updates one hypothesis, the one that comes `step`th, 0 .. kHypotheses - 1: first the likeliest
   /// one that needs no event. If that explains the block, most others are out of the question.
   void evaluate(std::size_t step) noexcept;
@@ -59,6 +60,8 @@ class HypothesisBank {
   static constexpr std::size_t index(Hypothesis h) noexcept { return static_cast<std::size_t>(h); }
   /// Of a hypothesis that enters another by less than this, nothing is mixed in.
   static constexpr double kNegligible = 1e-4;
+  /// A rough arm's torque changes by what a payload makes more often than its payload does.
+  static constexpr double kRoughExchange = 0.05;
   static constexpr double kAge = 0.1 - 1e-6;  // [s]
 
   Star& next(Hypothesis h) noexcept { return next_[index(h)]; }
@@ -92,6 +95,7 @@ class HypothesisBank {
   PerHypothesis<Scalar> squared_;  // e^T S^-1 e per joint
   PerHypothesis<JointVector<Scalar, Dofs>> innovation_, variance_;
   bool exchange_likely_ = false;
+  bool patient_ = false;  // what is unlikely is looked at all the same: a large residual hides it for seconds
   Scalar innovation_squared_ = Scalar(1);
 };
 
@@ -137,17 +141,20 @@ void HypothesisBank<Scalar, Dofs>::reopen_offsets() noexcept {
 
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
-                                         const FrictionRegime<Scalar, Dofs>& regime, bool exchange_likely) noexcept {
+                                         const FrictionRegime<Scalar, Dofs>& regime, bool exchange_likely,
+                                         bool kind_likely) noexcept {
   model_.begin(block, regime);
   model_.predict(before_);
   model_.predict(recent_);
   exchange_likely_ = exchange_likely;
+  patient_ = model_.rough() && kind_likely;
   for (std::size_t to = 0; to < kHypotheses; ++to) {
     Scalar sum = Scalar(0);
     for (std::size_t from = 0; from < kHypotheses; ++from)
       sum += static_cast<Scalar>(kTransitions[from][to]) * probability_.values[from];
     predicted_.values[to] = sum;
   }
+  if (model_.rough()) predicted_[Hypothesis::Exchanged] *= Scalar(kRoughExchange);
   if (exchange_likely) {  // as likely as all else
     for (Scalar& p : predicted_.values) p *= Scalar(0.5);
     predicted_[Hypothesis::Exchanged] += Scalar(0.5);
@@ -172,7 +179,7 @@ void HypothesisBank<Scalar, Dofs>::evaluate(std::size_t step) noexcept {
   const bool empty_first = predicted_[Hypothesis::Empty] > predicted_[Hypothesis::Steady];
   const auto h = static_cast<Hypothesis>(step < 2 && !empty_first ? 1 - step : step);
   if (!in_question_[h]) return;
-  if (step > 0 && !exchange_likely_ && predicted_[h] < Scalar(0.002) && settled_explains()) {
+  if (step > 0 && !exchange_likely_ && !patient_ && predicted_[h] < Scalar(0.002) && settled_explains()) {
     in_question_[h] = false;
     return;
   }
@@ -270,6 +277,7 @@ void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
   if (parts <= 1 || h == Hypothesis::Exchanged) {
     out = source(last, h);
     if (anew) out.empty_payload();
+    if (h == Hypothesis::Exchanged && model_.rough()) model_.reopen_residual(out);
     return;
   }
   std::array<const Star*, kHypotheses> from{};

@@ -57,6 +57,18 @@ class JointTorqueModel {
     if (sensing_ == Sensing::LinkSide || regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
     return Scalar(6.25) * stiction_variance(j);
   }
+  bool rough() const noexcept { return sensing_ == Sensing::RoughModel; }
+  /// Forgets what the residual has been: any that the arm may have.
+  void reopen_residual(Star& star) const noexcept {
+    for (int j = 0; j < Dofs; ++j) {
+      auto& joint = star.joint(j);
+      joint.mean[kResidual] = Scalar(0);
+      joint.slope.col(kResidual).setZero();
+      joint.covariance.row(kResidual).setZero();
+      joint.covariance.col(kResidual).setZero();
+      joint.covariance(kResidual, kResidual) = noise_.residual_variance(j);
+    }
+  }
   /// Forgets how sure the offset was.
   void reopen_offset(Star& star) const noexcept {
     for (int j = 0; j < Dofs; ++j) star.joint(j).covariance(kOffset, kOffset) += arm_.offset[j] * arm_.offset[j];

@@ -57,7 +57,8 @@ class Tracker {
     regime_.update(block);
     duration_ = block.duration;
     speed_ = block.velocity.norm();
-    for (auto& bank : banks_) bank.begin(block, regime_, exchange_likely);
+    for (std::size_t k = 0; k < kSensings; ++k)
+      banks_[k].begin(block, regime_, exchange_likely, belief_.sensing[k] > Scalar(1e-3));
     step_ = kSteps;
   }
   /// Does one step of what is to be done for the block.
