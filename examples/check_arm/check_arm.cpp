@@ -141,7 +141,7 @@ bool judge_gravity(const std::vector<JointFindings>& joints, bool measured) {
 }
 
 template <int Dofs>
-rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>& joints, double surprise,
+rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>& joints,
                                                const ArmSettings<Dofs>& given) {
   rme::EstimatorConfig<double, Dofs> out = given.config;
   const auto usual = out.arm.value_or(rme::ArmPrior<double, Dofs>::of(out.rated_payload));
@@ -152,11 +152,12 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
   for (int j = 0; j < Dofs; ++j) {
     const JointFindings& joint = joints[static_cast<std::size_t>(j)];
     const auto logs = static_cast<double>(joint.offset.size());
-    arm.noise[j] = std::max(surprise * joint.noise, 1e-4);
+    arm.noise[j] = std::max(joint.noise, 1e-4);
     // A handful of logs says little about how far offsets spread: the usual one counts as one more.
     const double square = rms(joint.offset) * rms(joint.offset) * logs + usual.offset[j] * usual.offset[j];
     arm.offset[j] = std::sqrt(square / (logs + 1));
-    arm.residual[j] = std::max(surprise * joint.residual, 0.02 * usual.residual[j]);  // no model is without an error
+    // Its scale is learned as the arm runs. What a log shows of its ratios holds for the poses of that log: with them,
+    // an arm would be believed in other poses to be better than it is.
     residual += joint.residual;
     limit += kRough * usual.residual[j];
     if (joint.friction_known) {
@@ -324,10 +325,8 @@ int run(Arguments& arguments, const ArmRequest& request) {
   for (const Visibility& v : seen)
     if (v.windows > 0 && v.expected_mass > 0) surprise = std::max(surprise, v.mass / v.expected_mass);
   if (surprise > 1.2)
-    std::printf(
-        "an empty hand looks up to %.1f times as much like a payload as noise would: the settings allow for that\n",
-        surprise);
-  settings.config = settings_of<Dofs>(joints, surprise, settings);
+    std::printf("an empty hand looks up to %.1f times as much like a payload as noise would\n", surprise);
+  settings.config = settings_of<Dofs>(joints, settings);
   settings.config.validate(0.001);
   print_beliefs<Dofs>(checked, settings);
   if (folder) write<Dofs>(*folder, checked, joints, seen, settings.config);

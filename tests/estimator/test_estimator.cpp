@@ -222,8 +222,8 @@ TEST_CASE("Estimator: a second object that comes any time after the first is fou
 }
 
 TEST_CASE(
-    "Estimator: an object that is dropped as soon as it is known is noticed within 60 ms, and no longer carried "
-    "after 20",
+    "Estimator: an object that is dropped as soon as it is known is noticed within 60 ms, 120 with noise of dq, and no "
+    "longer carried after 20",
     "[estimator]") {
   const Payload<double> object = {1.5, kObject.com};
   for (const bool noisy : {false, true}) {
@@ -243,7 +243,7 @@ TEST_CASE(
         bench.arm.hold({});
         bench.run(0.02);  // 4 ms of average, and what is safe is twice the weight that is left
         CHECK(bench.share_of(object) < 0.1);
-        bench.run(0.04);  // two blocks, and a quarter of one to compute
+        bench.run(noisy ? 0.1 : 0.04);  // two blocks, which noise of dq makes longer, and a quarter of one to compute
         CHECK(bench.state().empty());
         bench.run(1, [&] { REQUIRE(std::abs(bench.share_of(object)) < 0.1); });
       }
@@ -493,7 +493,7 @@ TEST_CASE("Estimator: an arm that turns shows what one pose hides, and it is rem
   }
 }
 
-TEST_CASE("Estimator: a model that is off by half a newton metre is noticed, and the payload found all the same",
+TEST_CASE("Estimator: a model that is off by a newton metre is noticed, and the payload found all the same",
           "[estimator]") {
   // What a real arm shows: a residual that is a function of the pose, friction that is another one in each direction,
   // noise of dq. Nobody has told.
@@ -508,7 +508,7 @@ TEST_CASE("Estimator: a model that is off by half a newton metre is noticed, and
     const auto residual = [&] {
       for (int j = 0; j < 7; ++j) {
         const double q = bench.arm.pose()[j] + 0.7 * bench.arm.pose()[(j + 2) % 7];
-        bench.extra[j] = (j < 4 ? 0.5 : 0.2) * (std::sin(2.5 * q + j) + (bench.sample.dq[j] > 0 ? 0.3 : -0.3));
+        bench.extra[j] = (j < 4 ? 1.0 : 0.4) * (std::sin(2.5 * q + j) + (bench.sample.dq[j] > 0 ? 0.3 : -0.3));
       }
     };
     const auto wander = [&](double seconds) {
@@ -527,7 +527,7 @@ TEST_CASE("Estimator: a model that is off by half a newton metre is noticed, and
     wander(6);
     CAPTURE(bench.mass(), bench.mass_std(), bench.state().health);
     CHECK_FALSE(bench.state().empty());
-    CHECK(std::abs(bench.mass() - object.mass) < 0.04);
+    CHECK(std::abs(bench.mass() - object.mass) < 0.12);
     CHECK(std::abs(bench.mass() - object.mass) < 3 * bench.mass_std());
     CHECK(bench.state().health < 3);
   }

@@ -253,8 +253,9 @@ TEST_CASE("Tracker: the belief has the moments of the mixture over all that is n
   REQUIRE(bank.star(Hypothesis::Pushed).mean().isZero(0));
   const auto expected = rme::within_rated(mixture, kRated);
   const auto& payload = tracker.belief().payload;
-  CHECK((payload.mean - expected.mean).norm() < 1e-12);
-  CHECK((payload.covariance - expected.covariance).norm() < 1e-12);
+  // Of the covariance, a kind of sensing that is less likely than 1e-6 is left out.
+  CHECK((payload.mean - expected.mean).norm() < 1e-8);
+  CHECK((payload.covariance - expected.covariance).norm() < 1e-8);
 }
 
 TEST_CASE("Tracker: no mass is believed that is negative or beyond the rated one, whatever the host says",

@@ -85,7 +85,9 @@ class HypothesisBank {
   std::array<Star, kHypotheses> stars_, next_;
   // Of a block in which nothing happened, 0.1 to 0.2 s ago, and of one less long ago, with what may have changed since.
   Star before_, recent_;
-  Scalar age_ = Scalar(0);  // of recent_ [s]
+  // Age of recent_, and for how long nothing happened in all, up to a second [s]: of a life that is shorter than kAge
+  // about half is known.
+  Scalar age_ = Scalar(0), known_ = Scalar(0);
   PerHypothesis<Scalar> probability_;
 
   // of the block that is being taken in
@@ -235,7 +237,8 @@ Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
       probability_[Hypothesis::Empty] > probability_[Hypothesis::Steady] ? Hypothesis::Empty : Hypothesis::Steady;
   if (probability_[sure] > Scalar(0.9)) {
     age_ += model_.block().duration;
-    if (age_ > Scalar(kAge)) {
+    known_ = std::min(Scalar(1), known_ + model_.block().duration);
+    if (age_ > std::min(Scalar(kAge), Scalar(0.49) * known_)) {
       before_ = recent_;
       recent_ = stars_[index(sure)];
       age_ = Scalar(0);
