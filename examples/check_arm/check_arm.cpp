@@ -148,7 +148,14 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
   rme::ArmPrior<double, Dofs> arm = usual;
   // No link-side sensor and no friction model explains a residual beyond this share of what such an arm may show.
   constexpr double kRough = 0.1;
-  double friction = 0, noise = 0, residual = 0, limit = 0;
+  // The residual's scale is learned as the arm runs. Of the ratios between joints a log tells what holds for its poses,
+  // so that they count by this power: what suits the recordings of docs/real_arms.md.
+  constexpr double kTrust = 0.4;
+  double friction = 0, noise = 0, residual = 0, limit = 0, scale = 0;
+  const auto ratio = [&](int j) {
+    return std::max(joints[static_cast<std::size_t>(j)].residual / usual.residual[j], 1e-3);
+  };
+  for (int j = 0; j < Dofs; ++j) scale += std::log(ratio(j)) / Dofs;
   for (int j = 0; j < Dofs; ++j) {
     const JointFindings& joint = joints[static_cast<std::size_t>(j)];
     const auto logs = static_cast<double>(joint.offset.size());
@@ -156,10 +163,9 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
     // A handful of logs says little about how far offsets spread: the usual one counts as one more.
     const double square = rms(joint.offset) * rms(joint.offset) * logs + usual.offset[j] * usual.offset[j];
     arm.offset[j] = std::sqrt(square / (logs + 1));
-    // Its scale is learned as the arm runs. What a log shows of its ratios holds for the poses of that log: with them,
-    // an arm would be believed in other poses to be better than it is.
     residual += joint.residual;
     limit += kRough * usual.residual[j];
+    arm.residual[j] = usual.residual[j] * std::exp(kTrust * (std::log(ratio(j)) - scale));
     if (joint.friction_known) {
       arm.coulomb[j] = std::max(joint.coulomb, 1e-3);
       arm.viscous[j] = std::max(joint.viscous, 1e-3);
