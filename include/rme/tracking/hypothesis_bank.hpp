@@ -122,6 +122,7 @@ void HypothesisBank<Scalar, Dofs>::believe(Hypothesis h, Scalar probability) noe
     before_ = stars_[likeliest()];
     before_.empty_payload();
     stars_[index(h)] = recent_ = before_;
+    age_ = known_ = Scalar(0);
   }
   for (Scalar& p : probability_.values) p *= Scalar(1) - probability;
   probability_[h] += probability;
@@ -134,6 +135,7 @@ void HypothesisBank<Scalar, Dofs>::set_payload(const InertialVector<Scalar>& mea
   steady = stars_[likeliest()];
   steady.replace_payload(mean, factor);
   before_ = recent_ = steady;
+  age_ = known_ = Scalar(0);
 }
 
 template <typename Scalar, int Dofs>

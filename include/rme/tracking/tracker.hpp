@@ -127,9 +127,10 @@ class Tracker {
   static constexpr double kHostIsRight = 0.999;
   // Friction that is taken for weight does more harm than friction that is looked for in vain; of arms whose model is
   // rough, one is to be convinced.
-  static constexpr std::array<double, kSensings> kEvidence = {-10, 0, -20};  // before the first sample [nats]
+  static constexpr std::array<double, kSensings> kEvidence = {-10, 0, -40};  // before the first sample [nats]
   static constexpr double kDecided = 300;  // an arm that was serviced is recognised after some seconds of motion [nats]
   static constexpr double kLargestHealth = 100;
+  static constexpr double kPushed = 0.9;     // of the weight, that a push takes
   static constexpr double kFullSpeed = 0.2;  // slower than this friction shows less than stiction hides [rad/s]
 
   void settle() noexcept {
@@ -138,7 +139,9 @@ class Tracker {
 
   void finish() noexcept {
     using std::exp;
-    const double weight = std::min(1.0, static_cast<double>(speed_) / kFullSpeed);
+    // What may be a push says little of the arm: another kind explains it by errors of its model.
+    const auto pushed = static_cast<double>(belief_.probability[Hypothesis::Pushed]);
+    const double weight = std::min(1.0, static_cast<double>(speed_) / kFullSpeed) * (1 - kPushed * pushed);
     for (std::size_t k = 0; k < kSensings; ++k) evidence_[k] += weight * static_cast<double>(banks_[k].finish());
     const double best = *std::max_element(evidence_.begin(), evidence_.end());
     for (double& evidence : evidence_) evidence = std::max(-kDecided, evidence - best);
