@@ -25,7 +25,7 @@ namespace rme {
 ///     estimator.state().payload                                     // mass and centre of mass, with covariance
 ///
 /// Real time: no call but the constructor allocates or throws. A block's filters are spread over the ticks after it, so
-/// that update() is O(Dofs) on most ticks and runs at most three filters of 10 + 5 Dofs states on any, at 1 kHz.
+/// that update() is O(Dofs) on most ticks and runs at most four filters of 10 + 5 Dofs states on any, at 1 kHz.
 template <typename Scalar, int Dofs>
 class Estimator {
   static_assert(Dofs != Eigen::Dynamic, "Estimator: the number of joints has to be known at compile time");

@@ -123,8 +123,7 @@ TEST_CASE("StarGaussian: three hundred updates give what one dense batch solutio
       C.row(t) = random_vector(random, kJointNuisances).transpose();
       y[t] = 3 * random_vector(random, 1)[0];
       R[t] = 0.01 + u(random);
-      auto p = star.predict(who.back(), {y[t], H.row(t).transpose(), C.row(t).transpose(), R[t] / 2});
-      Star::widen(p, R[t] / 2);
+      const auto p = star.predict(who.back(), {y[t], H.row(t).transpose(), C.row(t).transpose(), R[t]});
       star.observe(who.back(), p);
     }
 

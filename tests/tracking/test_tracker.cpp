@@ -239,7 +239,7 @@ TEST_CASE("Tracker: the belief has the moments of the mixture over all that is n
   rme::Tracker<double, 7> tracker(rme::ArmPrior<double, 7>::of(kRated), rme::PayloadPrior<double>::of(kRated), kRated,
                                   std::nullopt);
   tracker.declare_empty();
-  // Before the first block both banks hold the same of the payload: the prior, and beside a push nothing.
+  // Before the first block all banks hold the same of the payload: the prior, and beside a push nothing.
   const auto& bank = tracker.bank();
   const Hypothesis held[] = {Hypothesis::Steady, Hypothesis::Filling, Hypothesis::Exchanged, Hypothesis::Pushed};
   double total = 0;
@@ -253,9 +253,8 @@ TEST_CASE("Tracker: the belief has the moments of the mixture over all that is n
   REQUIRE(bank.star(Hypothesis::Pushed).mean().isZero(0));
   const auto expected = rme::within_rated(mixture, kRated);
   const auto& payload = tracker.belief().payload;
-  // Of the covariance, a kind of sensing that is less likely than 1e-6 is left out.
-  CHECK((payload.mean - expected.mean).norm() < 1e-8);
-  CHECK((payload.covariance - expected.covariance).norm() < 1e-8);
+  CHECK((payload.mean - expected.mean).norm() < 1e-12);
+  CHECK((payload.covariance - expected.covariance).norm() < 1e-12);
 }
 
 TEST_CASE("Tracker: no mass is believed that is negative or beyond the rated one, whatever the host says",

@@ -102,11 +102,6 @@ class StarGaussian {
     p.innovation = p.conditional_error - p.gain_row.dot(mean_);
     return p;
   }
-  /// Widens a prediction, and what it says of the joint, by a variance that only this observation has [(N m)^2], >= 0.
-  static void widen(Prediction& p, Scalar variance) noexcept {
-    p.given_payload += variance;
-    p.variance += variance;
-  }
   /// Takes the observation in. `p` is what predict() said of it.
   void observe(int j, const Prediction& p) noexcept {
     using std::sqrt;

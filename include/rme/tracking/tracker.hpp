@@ -27,7 +27,7 @@ struct TrackerBelief {
 /// Runs a HypothesisBank for each kind of torque sensing and weighs them by how well they explain an arm in motion;
 /// which kind it is is a property of the arm, and remembered.
 ///
-/// Real time: nothing allocates. A block's work is spread over advance() calls, two filters each.
+/// Real time: nothing allocates. A block's work is spread over advance() calls, one filter each.
 template <typename Scalar, int Dofs>
 class Tracker {
  public:
