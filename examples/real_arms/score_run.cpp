@@ -3,12 +3,9 @@
 // Plays a log in which the hand holds a known mass from beginning to end, after one in which it is empty if --empty
 // names one, as if it were one life. Prints a row of a Markdown table for
 //
-//   rme                   what the estimator believes over time
-//   batch least squares   of the whole run at once, with hindsight: (m, m r), and offset, Coulomb and viscous friction
-//   of
-//                         each joint
-//   recursive, forgetting (m, m r) over the last seconds, on the torque without the offset and friction that the empty
-//                         log shows: what one would run online instead
+//   rme                    what the estimator believes over time
+//   batch least squares    of the whole run at once, with hindsight: (m, m r), offsets and friction
+//   recursive, forgetting  (m, m r) over the last seconds, without what the empty log shows: the usual thing online
 //
 // With --mass 0 the run is an empty hand's. Exit codes: 0; 2 unusable arguments; 3 unusable log.
 #include <Eigen/Cholesky>
