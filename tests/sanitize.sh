@@ -24,4 +24,5 @@ cmake -S . -B build-asan-ubsan -G Ninja "${compiler[@]}" -DCMAKE_BUILD_TYPE=None
 say "building with $jobs jobs"
 cmake --build build-asan-ubsan --parallel "$jobs"
 say "testing"
+export LSAN_OPTIONS=suppressions=$PWD/tests/leak_suppressions.txt:print_suppressions=0
 exec ctest --test-dir build-asan-ubsan --no-tests=error --output-on-failure -j "$jobs" "$@"
