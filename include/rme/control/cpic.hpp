@@ -1,7 +1,6 @@
 #pragma once
 /// The constrained passive interaction controller: the torque nearest to a passive task force that keeps the
 /// constraints.
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,8 +8,10 @@
 #include <rme/control/constraint_rows.hpp>
 #include <rme/control/null_space.hpp>
 #include <rme/core/cholesky.hpp>
+#include <rme/core/householder.hpp>
 #include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
@@ -150,17 +151,26 @@ auto Cpic<Scalar, Dofs, MaxRows>::cost_root(const Jacobian<Scalar, Dofs>& jacobi
                                             const NullSpace<Scalar, Dofs>& null_space) const noexcept ->
     typename Solver::Root {
   typename Solver::Root root = Solver::Root::Zero();
-  root.template topRows<3>() = wrench_scale_ * jacobian.template topRows<3>();
-  root.template middleRows<3>(3) = (wrench_scale_ * config_.moment_arm) * jacobian.template bottomRows<3>();
   const JointMatrix<Scalar, Dofs>& Z = null_space.root();
+  const Scalar moment_scale = wrench_scale_ * config_.moment_arm;
+  const auto wrench_entry = [&](int i, int j) { return (i < 3 ? wrench_scale_ : moment_scale) * jacobian(i, j); };
   if (null_space.damping() > 0) {
     Eigen::Matrix<Scalar, 6 + Dofs, Dofs> tall;
-    tall.template topRows<6>() = root.template topRows<6>();
-    tall.template bottomRows<Dofs>() = null_scale_ * Z.transpose();
-    const Eigen::HouseholderQR<Eigen::Matrix<Scalar, 6 + Dofs, Dofs>> qr(tall);
-    root.template topRows<Dofs>() = qr.matrixQR().template topRows<Dofs>().template triangularView<Eigen::Upper>();
-  } else {
-    root.template middleRows<Dofs - 6>(6) = null_scale_ * Z.template rightCols<Dofs - 6>().transpose();
+    for (int j = 0; j < Dofs; ++j) {
+      for (int i = 0; i < 6; ++i) tall(i, j) = wrench_entry(i, j);
+      for (int i = 0; i < Dofs; ++i) tall(6 + i, j) = null_scale_ * Z(j, i);
+    }
+    Vector diagonal;
+    detail::householder(tall, diagonal);
+    for (int j = 0; j < Dofs; ++j) {
+      for (int i = 0; i < j; ++i) root(i, j) = tall(i, j);
+      root(j, j) = diagonal[j];
+    }
+    return root;
+  }
+  for (int j = 0; j < Dofs; ++j) {
+    for (int i = 0; i < 6; ++i) root(i, j) = wrench_entry(i, j);
+    for (int i = 6; i < Dofs; ++i) root(i, j) = null_scale_ * Z(j, i);
   }
   return root;
 }
@@ -180,8 +190,9 @@ Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input,
   torque_rows_.clear();
   for (int i = 0; i < rows.size(); ++i) {
     const auto& row = rows[i];
-    const Vector a = row.axis < 0 ? Vector(inverse_mass * row.a) : Vector(inverse_mass.col(row.axis));
-    const Scalar shift = a.dot(input.bias);
+    const Vector a =
+        row.axis < 0 ? detail::product(inverse_mass, row.a) : Vector(detail::column(inverse_mass, row.axis));
+    const Scalar shift = detail::dot(a, input.bias);
     // The row was good, so that only an overflow can spoil it.
     if (torque_rows_.add(a, row.lower + shift, row.upper + shift, row.weight) != Status::Ok)
       return Status::NonFiniteInput;
@@ -190,20 +201,22 @@ Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input,
   NullSpace<Scalar, Dofs> null_space = null_space_;
   if (null_space.update(input.jacobian) != Status::Ok) return Status::NonFiniteInput;
   const JointMatrix<Scalar, Dofs>& N = null_space.projector();
-  const Vector unconstrained = input.jacobian.transpose() * wrench + N * input.null_torque;
+  Vector unconstrained = detail::transposed_product(input.jacobian, wrench);
+  unconstrained += detail::product(N, input.null_torque);
   const typename Solver::Root root = cost_root(input.jacobian, null_space);
-  if (!root.allFinite()) return Status::NonFiniteInput;
-  const Status status =
-      solver_.solve_from_root(root, unconstrained, torque_rows_, -config_.torque_limit - input.other_torque,
-                              config_.torque_limit - input.other_torque);
-  if (!solver_.solution().allFinite()) {
+  if (!detail::finite(root)) return Status::NonFiniteInput;
+  const Vector largest = detail::difference(config_.torque_limit, input.other_torque);
+  Vector least = detail::scaled(Scalar(-1), config_.torque_limit);
+  least -= input.other_torque;
+  const Status status = solver_.solve_from_root(root, unconstrained, torque_rows_, least, largest);
+  if (!detail::finite(solver_.solution())) {
     solver_.reset();
     return Status::NonFiniteInput;
   }
   null_space_ = null_space;
   unconstrained_ = unconstrained;
   torque_ = solver_.solution();
-  acceleration_ = inverse_mass * (torque_ - input.bias);
+  acceleration_ = detail::product(inverse_mass, detail::difference(torque_, input.bias));
   return status;
 }
 

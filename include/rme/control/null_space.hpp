@@ -1,11 +1,13 @@
 #pragma once
 /// The joint torques that make no wrench, and how near the arm is to a pose where a wrench is lost.
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <rme/core/cholesky.hpp>
+#include <rme/core/householder.hpp>
 #include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 
@@ -64,25 +66,13 @@ class NullSpace {
 template <typename Scalar, int Dofs>
 Status NullSpace<Scalar, Dofs>::update(const Jacobian<Scalar, Dofs>& jacobian) noexcept {
   if (!plausible(jacobian)) return Status::NonFiniteInput;
-  // J^T = Q [R; 0] by Householder reflections I - v v^T (|v|^2 = 2). Not through J J^T, which would square the
-  // condition number: N is divided by a small weight afterwards.
-  Eigen::Matrix<Scalar, Dofs, 6> a = jacobian.transpose();
+  // J^T = Q [R; 0]. Not through J J^T, which would square the condition number: N is divided by a small weight
+  // afterwards.
+  Eigen::Matrix<Scalar, Dofs, 6> a;
+  for (int i = 0; i < Dofs; ++i)
+    for (int k = 0; k < 6; ++k) a(i, k) = jacobian(k, i);
   Vector6<Scalar> diagonal;
-  for (int k = 0; k < 6; ++k) {
-    Scalar squared = 0;
-    for (int i = k; i < Dofs; ++i) squared += a(i, k) * a(i, k);
-    const Scalar norm = std::sqrt(squared);
-    diagonal[k] = a(k, k) > 0 ? -norm : norm;
-    if (!(norm > 0)) continue;
-    const Scalar scale = Scalar(1) / std::sqrt(squared + norm * std::abs(a(k, k)));
-    a(k, k) -= diagonal[k];
-    for (int i = k; i < Dofs; ++i) a(i, k) *= scale;
-    for (int j = k + 1; j < 6; ++j) {
-      Scalar dot = 0;
-      for (int i = k; i < Dofs; ++i) dot += a(i, k) * a(i, j);
-      for (int i = k; i < Dofs; ++i) a(i, j) -= dot * a(i, k);
-    }
-  }
+  detail::householder(a, diagonal);
 
   // |J^+|_F = |R^-1|_F, column by column; a pivot of zero makes it infinite and the clearance zero.
   Scalar inverse_squared = 0;
@@ -101,26 +91,35 @@ Status NullSpace<Scalar, Dofs>::update(const Jacobian<Scalar, Dofs>& jacobian) n
 
   const Scalar ratio = clearance_ / config_.clearance;
   damping_ = config_.damping * std::max(Scalar(0), Scalar(1) - ratio * ratio);
-  root_.template leftCols<6>().setZero();
-  for (int m = 6; m < Dofs; ++m)
-    set_root(m, JointVector<Scalar, Dofs>::Unit(m), a);  // Q's last columns: the null space
+  root_.setZero();
+  for (int m = 6; m < Dofs; ++m) {  // Q's last columns: the null space
+    JointVector<Scalar, Dofs> unit = JointVector<Scalar, Dofs>::Zero();
+    unit[m] = Scalar(1);
+    set_root(m, unit, a);
+  }
   if (damping_ > 0) {
     // In Q's first six columns N is lambda^2 (R R^T + lambda^2 I)^-1 = (lambda C^-T)(lambda C^-T)^T, C the Cholesky
     // factor.
-    Matrix6<Scalar> R = a.template topRows<6>().template triangularView<Eigen::StrictlyUpper>();
-    R.diagonal() = diagonal;
-    Matrix6<Scalar> damped = R * R.transpose();
-    damped.diagonal().array() += damping_ * damping_;
-    const Matrix6<Scalar> inverse = damped.llt().matrixL().solve(Matrix6<Scalar>::Identity());  // C^-1
+    Matrix6<Scalar> R = Matrix6<Scalar>::Zero(), identity = R;
+    for (int i = 0; i < 6; ++i) {
+      R(i, i) = diagonal[i];
+      identity(i, i) = Scalar(1);
+      for (int j = i + 1; j < 6; ++j) R(i, j) = a(i, j);
+    }
+    Matrix6<Scalar> damped = detail::outer_square(R);
+    for (int i = 0; i < 6; ++i) damped(i, i) += damping_ * damping_;
+    const Matrix6<Scalar> inverse = Cholesky<Scalar, 6>(damped).solve_lower(identity);  // C^-1
     for (int m = 0; m < 6; ++m) {
       JointVector<Scalar, Dofs> x = JointVector<Scalar, Dofs>::Zero();
-      x.template head<6>() = damping_ * inverse.row(m).transpose();
+      for (int i = 0; i <= m; ++i) x[i] = damping_ * inverse(m, i);
       set_root(m, x, a);
     }
-    projector_.noalias() = root_ * root_.transpose();
-    return Status::Ok;
   }
-  projector_.noalias() = root_.template rightCols<Dofs - 6>() * root_.template rightCols<Dofs - 6>().transpose();
+  projector_.setZero();
+  for (int m = damping_ > 0 ? 0 : 6; m < Dofs; ++m) {
+    const JointVector<Scalar, Dofs> z = detail::column(root_, m);
+    detail::add_outer(projector_, z, z);
+  }
   return Status::Ok;
 }
 
@@ -132,7 +131,7 @@ void NullSpace<Scalar, Dofs>::set_root(int m, JointVector<Scalar, Dofs> x,
     for (int i = k; i < Dofs; ++i) dot += a(i, k) * x[i];
     for (int i = k; i < Dofs; ++i) x[i] -= dot * a(i, k);
   }
-  root_.col(m) = x;
+  detail::column(root_, m) = x;
 }
 
 }  // namespace rme
