@@ -20,7 +20,7 @@ namespace rme {
 /// the residual is larger than assumed, and smaller if they are anticorrelated (Mehra, IEEE Trans. Automatic Control
 /// 1970). A residual that is smoother than the model's would never leave them white, however large: where it may be
 /// large, innovations that are smaller than their variance says count against it. Only blocks in which the arm moves
-/// count.
+/// count. What is held takes on part of a residual, which then seems smaller than it is: that counts a third.
 template <typename Scalar, int Dofs>
 class SensorNoise {
  public:
@@ -79,6 +79,7 @@ class SensorNoise {
       average_[j] = Scalar(kKeep) * average_[j] + Scalar(kAdd) * white;
     }
     evidence = std::max(Scalar(-6), std::min(Scalar(6), evidence * weight));
+    if (!empty && !rough_ && evidence < 0) evidence *= Scalar(kHeld);
     residual_ *= exp(Scalar(0.5 * kStep) * evidence);
     residual_ = std::max(static_cast<Scalar>(range_.least), std::min(static_cast<Scalar>(range_.largest), residual_));
   }
@@ -99,6 +100,7 @@ class SensorNoise {
   static constexpr double kPriorBlocks = 5;  // that the prior counts for
   static constexpr double kMemory = 500;     // blocks: 10 s
   static constexpr double kFullWay = 0.002;  // [rad] in a block: 0.1 rad/s
+  static constexpr double kHeld = 0.35;      // of evidence for a smaller residual, while something is held
   static constexpr double kStep = 0.05;      // of log variance per unit of correlation
   static constexpr double kKeep = 0.9;       // of a block: the average looks 0.2 s back
   static constexpr double kShare = 0.5;      // of the size of innovations, in the evidence
