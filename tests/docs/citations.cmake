@@ -4,6 +4,8 @@
 #     docs/theory.md, "The star"        a page and a part of one of its headings, in any case; or without quotation marks, to the
 #                                       next full stop or bracket. Between pages: [theory.md](theory.md), "The star"
 #     (T16), (T16, T17), (T16 to T18)   equations of theory.md; (C1) those of theory_control.md
+#
+# And every name that the glossary gives for a word is in a header.
 cmake_minimum_required(VERSION 3.22)
 function(read file out)
   file(READ ${file} text)
@@ -97,4 +99,21 @@ foreach(page IN LISTS pages)
   string(REGEX REPLACE "\n" " " text "${text}")
   cmake_path(RELATIVE_PATH page BASE_DIRECTORY ${ROOT} OUTPUT_VARIABLE name)
   check(${name} "${text}" "\\((docs/)?[A-Za-z_]+\\.md\\)(${quoted})+")
+endforeach()
+
+# What the glossary's last column names is in a header.
+set(headers "")
+file(GLOB_RECURSE files ${ROOT}/include/*.hpp)
+foreach(file IN LISTS files)
+  read(${file} text)
+  string(APPEND headers "${text}")
+endforeach()
+read(${ROOT}/docs/glossary.md glossary)
+string(REGEX MATCHALL "\\| `[^|\n]+ \\|\n" cells "${glossary}")
+string(REGEX MATCHALL "`[^`]+`" names "${cells}")
+foreach(name IN LISTS names)
+  string(REGEX REPLACE "[`()]|.*::" "" name "${name}")
+  if(NOT headers MATCHES "[^A-Za-z_]${name}[^A-Za-z_]")
+    message(SEND_ERROR "docs/glossary.md: no header has ${name}")
+  endif()
 endforeach()
