@@ -4,6 +4,7 @@
 #include <cmath>
 #include <rme/control/compensation.hpp>
 #include <rme/core/plausible.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/estimator_config.hpp>
@@ -123,7 +124,8 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   jacobian_ = in.jacobian;
   rotation_ = in.rotation;
   const bool complete = averager_.add(sample, dt, state_.time);
-  guard_.update(averager_.torque(), -carried(in.jacobian, in.rotation), static_cast<Scalar>(dt));
+  guard_.update(averager_.torque(), detail::scaled(Scalar(-1), carried(in.jacobian, in.rotation)),
+                static_cast<Scalar>(dt));
   expected_ = std::max(0.0, expected_ - dt);
   // A Jacobian of zeros says nothing of what hangs on the arm.
   if (complete && !inhibited_ && in.jacobian.squaredNorm() > 0) tracker_.begin(averager_.block(), expected_ > 0);
@@ -135,7 +137,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
                    state_.payload.mean[0], state_.payload.standard_deviation()[0]);
     state_.updated = block.end;
     if (state_.probability[Hypothesis::Steady] + state_.probability[Hypothesis::Filling] > Scalar(0.9))
-      guard_.learn(block.tau - block.regressor * state_.inertial.mean);
+      guard_.learn(detail::difference(block.tau, detail::product(block.regressor, state_.inertial.mean)));
   }
   state_.changing = events_.changing();
   state_.change_onset = events_.onset();
@@ -162,9 +164,11 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   const Scalar variance = (Scalar(1) - empty) * (held.covariance(0, 0) + empty * mass * mass);
   held.mean[0] = (Scalar(1) - empty) * mass;
   if (state_.empty()) {
-    held.mean.template tail<3>().setZero();
     held.covariance.setZero();
-    held.covariance.diagonal().template tail<3>() = payload_prior_.com_std.cwiseAbs2();
+    for (int i = 0; i < 3; ++i) {
+      held.covariance(1 + i, 1 + i) = payload_prior_.com_std[i] * payload_prior_.com_std[i];
+      held.mean[1 + i] = Scalar(0);
+    }
   }
   held.covariance(0, 0) = std::max(variance, least * least);
   state_.payload = held;
@@ -175,7 +179,7 @@ template <typename Scalar, int Dofs>
 auto Estimator<Scalar, Dofs>::compensation(const Jacobian<Scalar, Dofs>& jacobian,
                                            const Matrix3<Scalar>& rotation) const noexcept -> Torque {
   const bool good = plausible(jacobian) && plausible(rotation);
-  return share() * guard_.share() * (good ? carried(jacobian, rotation) : carried(jacobian_, rotation_));
+  return detail::scaled(share() * guard_.share(), good ? carried(jacobian, rotation) : carried(jacobian_, rotation_));
 }
 
 template <typename Scalar, int Dofs>
@@ -189,7 +193,8 @@ void Estimator<Scalar, Dofs>::declare_empty() noexcept {
 template <typename Scalar, int Dofs>
 Status Estimator<Scalar, Dofs>::set_payload(const PayloadGaussian<Scalar>& payload) noexcept {
   if (!plausible(payload.mean) || !plausible(payload.covariance) || !(payload.mean[0] >= 0) ||
-      !(payload.covariance.diagonal().minCoeff() >= 0))
+      !(payload.covariance(0, 0) >= 0 && payload.covariance(1, 1) >= 0 && payload.covariance(2, 2) >= 0 &&
+        payload.covariance(3, 3) >= 0))
     return Status::NonFiniteInput;
   tracker_.set_payload(payload);
   averager_.clear();

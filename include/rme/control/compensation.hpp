@@ -2,6 +2,7 @@
 /// Torque that carries the estimated payload, and the ramp that lets it in (Appendix B of the paper).
 #include <rme/core/payload.hpp>
 #include <rme/core/require.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 
@@ -18,7 +19,8 @@ JointVector<Scalar, Dofs> compensation_torque(const Payload<Scalar>& payload,
                                               const Eigen::Matrix<Scalar, 6, Dofs>& jacobian,
                                               const Matrix3<Scalar>& rotation,
                                               const Vector3<Scalar>& gravity = standard_gravity<Scalar>()) noexcept {
-  return -(jacobian.transpose() * payload_wrench(payload, rotation, gravity).vector());
+  const Vector6<Scalar> wrench = payload_wrench(payload, rotation, gravity).vector();
+  return detail::scaled(Scalar(-1), detail::transposed_product(jacobian, wrench));
 }
 
 /// U = m g.(p + R r) [J]: the potential of which compensation_torque is minus the gradient by q, minus the payload's

@@ -55,8 +55,9 @@ class Cholesky {
 #pragma GCC unroll 8
     for (int i = 0; i < Size; ++i) {
 #pragma GCC unroll 8
-      for (int k = 0; k < i; ++k) X.row(i) -= L_(i, k) * X.row(k);
-      X.row(i) *= inverse_diagonal_[i];
+      for (int k = 0; k < i; ++k)
+        for (int c = 0; c < Columns; ++c) X(i, c) -= L_(i, k) * X(k, c);
+      for (int c = 0; c < Columns; ++c) X(i, c) *= inverse_diagonal_[i];
     }
     return X;
   }
@@ -68,8 +69,9 @@ class Cholesky {
 #pragma GCC unroll 8
     for (int i = Size - 1; i >= 0; --i) {
 #pragma GCC unroll 8
-      for (int k = i + 1; k < Size; ++k) Y.row(i) -= L_(k, i) * Y.row(k);
-      Y.row(i) *= inverse_diagonal_[i];
+      for (int k = i + 1; k < Size; ++k)
+        for (int c = 0; c < Columns; ++c) Y(i, c) -= L_(k, i) * Y(k, c);
+      for (int c = 0; c < Columns; ++c) Y(i, c) *= inverse_diagonal_[i];
     }
     return Y;
   }

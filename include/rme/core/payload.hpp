@@ -1,5 +1,6 @@
 #pragma once
 /// The thing in the hand: mass and centre of mass, and the wrench that it exerts.
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
 
@@ -12,8 +13,10 @@ struct Payload {
   Vector3<Scalar> com = Vector3<Scalar>::Zero();  ///< r [m], end-effector axes, from the end-effector origin
 
   /// theta = (m, r_x, r_y, r_z), 4x1: the order of every mean, covariance and network output.
-  Vector4<Scalar> vector() const noexcept { return (Vector4<Scalar>() << mass, com).finished(); }
-  static Payload from_vector(const Vector4<Scalar>& theta) noexcept { return {theta[0], theta.template tail<3>()}; }
+  Vector4<Scalar> vector() const noexcept { return {mass, com[0], com[1], com[2]}; }
+  static Payload from_vector(const Vector4<Scalar>& theta) noexcept {
+    return {theta[0], {theta[1], theta[2], theta[3]}};
+  }
 };
 
 /// Wrench of a payload at rest on the end effector, w = [ m g ; (R r) x (m g) ] (docs/theory.md, payload wrench).
@@ -22,8 +25,8 @@ struct Payload {
 template <typename Scalar>
 Wrench<Scalar> payload_wrench(const Payload<Scalar>& payload, const Matrix3<Scalar>& rotation,
                               const Vector3<Scalar>& gravity = standard_gravity<Scalar>()) noexcept {
-  const Vector3<Scalar> weight = payload.mass * gravity;
-  return {weight, (rotation * payload.com).cross(weight)};
+  const Vector3<Scalar> weight = detail::scaled(payload.mass, gravity);
+  return {weight, detail::product(rotation, payload.com).cross(weight)};
 }
 
 }  // namespace rme

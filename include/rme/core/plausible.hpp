@@ -16,7 +16,12 @@ inline bool plausible(double x) noexcept {
 /// Whether every entry is plausible.
 template <typename Derived>
 bool plausible(const Eigen::MatrixBase<Derived>& x) noexcept {
-  return (x.array().abs() <= typename Derived::Scalar(kLargestPlausible)).all();
+  using std::abs;
+  bool good = true;
+  for (Eigen::Index j = 0; j < x.cols(); ++j)
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+      good &= abs(x.coeff(i, j)) <= typename Derived::Scalar(kLargestPlausible);
+  return good;
 }
 
 }  // namespace rme

@@ -4,6 +4,21 @@
 
 namespace rme {
 
+namespace detail {
+
+/// (a, b), 6x1.
+template <typename Scalar>
+Vector6<Scalar> stacked(const Vector3<Scalar>& a, const Vector3<Scalar>& b) noexcept {
+  Vector6<Scalar> out;
+  for (int i = 0; i < 3; ++i) {
+    out[i] = a[i];
+    out[3 + i] = b[i];
+  }
+  return out;
+}
+
+}  // namespace detail
+
 /// Force and moment on the end effector: world axes, moment about the end-effector origin.
 template <typename Scalar>
 struct Wrench {
@@ -11,8 +26,8 @@ struct Wrench {
   Vector3<Scalar> moment = Vector3<Scalar>::Zero();  ///< [N m]
 
   /// (force, moment), 6x1: the order of the Jacobian's rows, so that tau = J^T w.vector().
-  Vector6<Scalar> vector() const noexcept { return (Vector6<Scalar>() << force, moment).finished(); }
-  static Wrench from_vector(const Vector6<Scalar>& w) noexcept { return {w.template head<3>(), w.template tail<3>()}; }
+  Vector6<Scalar> vector() const noexcept { return detail::stacked(force, moment); }
+  static Wrench from_vector(const Vector6<Scalar>& w) noexcept { return {{w[0], w[1], w[2]}, {w[3], w[4], w[5]}}; }
 };
 
 /// Velocity of the end effector: world axes, at the end-effector origin.
@@ -22,8 +37,8 @@ struct Twist {
   Vector3<Scalar> angular = Vector3<Scalar>::Zero();  ///< [rad/s]
 
   /// (linear, angular), 6x1: the order of the Jacobian's rows, so that J dq = twist.vector().
-  Vector6<Scalar> vector() const noexcept { return (Vector6<Scalar>() << linear, angular).finished(); }
-  static Twist from_vector(const Vector6<Scalar>& v) noexcept { return {v.template head<3>(), v.template tail<3>()}; }
+  Vector6<Scalar> vector() const noexcept { return detail::stacked(linear, angular); }
+  static Twist from_vector(const Vector6<Scalar>& v) noexcept { return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}}; }
 };
 
 }  // namespace rme

@@ -4,6 +4,7 @@
 #include <optional>
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/plausible.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 
@@ -25,21 +26,37 @@ struct Proprioception {
   double period = 0;
 };
 
-/// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; NotARotation if R^T R is further than 1e-3
-/// from the identity or R is a mirror
+namespace detail {
+
+/// Whether R^T R is within 1e-3 of the identity and R no mirror.
+template <typename Scalar>
+bool is_rotation(const Matrix3<Scalar>& R) noexcept {
+  using std::abs;
+  const Matrix3<Scalar> square = detail::transposed_product(R, R);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j)
+      if (!(abs(square(i, j) - Scalar(i == j ? 1 : 0)) < Scalar(1e-3))) return false;
+  Scalar determinant = Scalar(0);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    determinant += R(i, 0) * (R(j, 1) * R(k, 2) - R(k, 1) * R(j, 2));
+  }
+  return determinant > 0;
+}
+
+}  // namespace detail
+
+/// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; NotARotation
 template <typename Scalar, int Dofs>
 Status check(const Proprioception<Scalar, Dofs>& sample) noexcept {
-  if (!plausible(sample.tau_ext) || !plausible(sample.jacobian) || !sample.rotation.allFinite() ||
+  if (!plausible(sample.tau_ext) || !plausible(sample.jacobian) || !detail::finite(sample.rotation) ||
       !plausible(sample.dq))
     return Status::NonFiniteInput;
   if (sample.motion && !(plausible(sample.motion->angular_velocity) && plausible(sample.motion->linear_acceleration) &&
                          plausible(sample.motion->angular_acceleration)))
     return Status::NonFiniteInput;
   if (!(sample.period >= 0 && sample.period <= kLargestPlausible)) return Status::NonFiniteInput;
-  const Matrix3<Scalar>& R = sample.rotation;
-  const Scalar error = (R.transpose() * R - Matrix3<Scalar>::Identity()).cwiseAbs().maxCoeff();
-  if (!(error < Scalar(1e-3)) || !(R.col(0).cross(R.col(1)).dot(R.col(2)) > 0)) return Status::NotARotation;
-  return Status::Ok;
+  return detail::is_rotation(sample.rotation) ? Status::Ok : Status::NotARotation;
 }
 
 }  // namespace rme

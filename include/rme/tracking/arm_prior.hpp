@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/tracking/inertial_parameters.hpp>
@@ -33,7 +34,8 @@ struct ArmPrior {
     Vector share = Vector::Ones();
     for (int j = Dofs > 3 ? Dofs - 3 : 0; j < Dofs; ++j) share[j] = Scalar(0.4);
     share *= rated_payload / Scalar(3);
-    return {Scalar(0.03) * share, Scalar(0.15) * share, share, Scalar(0.2) * share, Scalar(0.1) * share};
+    return {detail::scaled(Scalar(0.03), share), detail::scaled(Scalar(0.15), share), share,
+            detail::scaled(Scalar(0.2), share), detail::scaled(Scalar(0.1), share)};
   }
 };
 
@@ -52,7 +54,7 @@ struct PayloadPrior {
   InertialVector<Scalar> mean() const noexcept {
     InertialVector<Scalar> phi = InertialVector<Scalar>::Zero();
     phi[0] = mass_mean;
-    phi.template segment<3>(1) = mass_mean * com_mean;
+    for (int i = 0; i < 3; ++i) phi[1 + i] = mass_mean * com_mean[i];
     return phi;
   }
   /// Covariance of phi, lower triangular factor. The moments of m r for a mass that is known roughly: with r
@@ -64,10 +66,12 @@ struct PayloadPrior {
     const Scalar mass = sqrt(square_mass);
     InertialMatrix<Scalar> L = InertialMatrix<Scalar>::Zero();
     L(0, 0) = mass_std;
-    L.template block<3, 1>(1, 0) = com_mean * mass_std;
-    for (int i = 0; i < 3; ++i) L(1 + i, 1 + i) = com_std[i] * mass;
+    for (int i = 0; i < 3; ++i) {
+      L(1 + i, 0) = com_mean[i] * mass_std;
+      L(1 + i, 1 + i) = com_std[i] * mass;
+    }
     // Of m (|r|^2 - ...) with |r| up to twice its prior's spread.
-    const Scalar arm = com_mean.squaredNorm() + com_std.squaredNorm();
+    const Scalar arm = detail::dot(com_mean, com_mean) + detail::dot(com_std, com_std);
     for (int i = 4; i < kInertial; ++i) L(i, i) = mass * arm;
     return L;
   }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <rme/core/cholesky.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/friction_regime.hpp>
@@ -104,7 +105,8 @@ class HypothesisBank {
 template <typename Scalar, int Dofs>
 HypothesisBank<Scalar, Dofs>::HypothesisBank(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm,
                                              const PayloadPrior<Scalar>& payload, Scalar rated_payload) noexcept
-    : model_(sensing, arm, payload.com_mean.squaredNorm() + payload.com_std.squaredNorm()),
+    : model_(sensing, arm,
+             detail::dot(payload.com_mean, payload.com_mean) + detail::dot(payload.com_std, payload.com_std)),
       payload_(payload),
       rated_(rated_payload) {
   const Star star = model_.prior();
@@ -148,8 +150,6 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                          const FrictionRegime<Scalar, Dofs>& regime, bool exchange_likely,
                                          bool kind_likely) noexcept {
   model_.begin(block, regime);
-  model_.predict(before_);
-  model_.predict(recent_);
   exchange_likely_ = exchange_likely;
   patient_ = model_.rough() && kind_likely;
   for (std::size_t to = 0; to < kHypotheses; ++to) {
@@ -180,6 +180,10 @@ bool HypothesisBank<Scalar, Dofs>::settled_explains() const noexcept {
 
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::evaluate(std::size_t step) noexcept {
+  if (step == 0) {
+    model_.predict(before_);
+    model_.predict(recent_);
+  }
   const bool empty_first = predicted_[Hypothesis::Empty] > predicted_[Hypothesis::Steady];
   const auto h = static_cast<Hypothesis>(step < 2 && !empty_first ? 1 - step : step);
   if (!in_question_[h]) return;
@@ -347,25 +351,29 @@ Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept 
   Eigen::Matrix<Scalar, n, n> S;
   JointVector<Scalar, Dofs> e, independent;
   Eigen::Matrix<Scalar, n, kInertial> spread;
+  Eigen::Matrix<Scalar, n, 6> wrench;
+  const Scalar force = Scalar(4) * rated_, moment = Scalar(0.5) * rated_;  // [N], [N m]: 12 and 1.5 on a Panda
   for (int j = 0; j < n; ++j) {
     auto p = star.predict(j, model_.observation(j, star.mean()[0]));
     e[j] = p.innovation;
     independent[j] = p.given_payload;
-    spread.row(j) = p.spread.transpose();
+    for (int i = 0; i < kInertial; ++i) spread(j, i) = p.spread[i];
+    for (int i = 0; i < 6; ++i) wrench(j, i) = (i < 3 ? force : moment) * model_.block().jacobian(i, j);
   }
-  const Scalar force = Scalar(4) * rated_, moment = Scalar(0.5) * rated_;  // [N], [N m]: 12 and 1.5 on a Panda
-  Vector6<Scalar> scale;
-  scale << force, force, force, moment, moment, moment;
-  const Eigen::Matrix<Scalar, n, 6> wrench = model_.block().jacobian.transpose() * scale.asDiagonal();
-  S = spread.lazyProduct(spread.transpose());
-  S += wrench.lazyProduct(wrench.transpose());
-  S.diagonal() += independent;
+  S = detail::outer_square(spread);
+  S += detail::outer_square(wrench);
+  Scalar largest = Scalar(0);
+  for (int j = 0; j < n; ++j) {
+    S(j, j) += independent[j];
+    largest = std::max(largest, S(j, j));
+  }
   // What rounding may take off a pivot: torques that no wrench makes are known a hundred times better than those that
   // one does, which is as far as a float's square reaches.
-  S.diagonal().array() += 16 * Eigen::NumTraits<Scalar>::epsilon() * S.diagonal().maxCoeff();
+  for (int j = 0; j < n; ++j) S(j, j) += 16 * Eigen::NumTraits<Scalar>::epsilon() * largest;
   const Cholesky<Scalar, n> factor(S);
   if (!factor.positive_definite()) return -std::numeric_limits<Scalar>::infinity();  // out of the question
-  const Scalar squared = factor.solve_lower(e).squaredNorm();
+  const JointVector<Scalar, Dofs> white = factor.solve_lower(e);
+  const Scalar squared = detail::dot(white, white);
   squared_[Hypothesis::Pushed] = squared / Scalar(n);
   return Scalar(-0.5) * squared - factor.log_det_lower();
 }
@@ -376,28 +384,29 @@ InertialMatrix<Scalar> HypothesisBank<Scalar, Dofs>::filling(const Star& star) c
   using std::sqrt;
   constexpr double kRate = 0.0027;  // of the rated payload, in a block of 20 ms
   const Scalar mass = Scalar(kRate) * rated_ * sqrt(model_.block().duration / Scalar(0.02));
-  Vector3<Scalar> com = payload_.com_mean;
-  if (star.mean()[0] > Scalar(0.007) * rated_) {
-    com = star.mean().template segment<3>(1) / star.mean()[0];
-    com = com.cwiseMax(payload_.com_mean - 3 * payload_.com_std).cwiseMin(payload_.com_mean + 3 * payload_.com_std);
+  const Scalar held = star.mean()[0];
+  Vector4<Scalar> poured;  // (m, m r) of a body of this mass
+  poured[0] = mass;
+  for (int i = 0; i < 3; ++i) {
+    const Scalar off = 3 * payload_.com_std[i];
+    const Scalar com = held > Scalar(0.007) * rated_ ? star.mean()[1 + i] / held - payload_.com_mean[i] : Scalar(0);
+    poured[1 + i] = mass * (payload_.com_mean[i] + std::max(-off, std::min(off, com)));
   }
   InertialMatrix<Scalar> Q = InertialMatrix<Scalar>::Zero();
-  Q(0, 0) = mass * mass;
-  Q.template block<3, 1>(1, 0) = com * (mass * mass);
-  Q.template block<1, 3>(0, 1) = Q.template block<3, 1>(1, 0).transpose();
-  Q.template block<3, 3>(1, 1) = com * com.transpose() * (mass * mass);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) Q(i, j) = poured[i] * poured[j];
   for (int i = 0; i < 3; ++i) {
     const Scalar spread = Scalar(0.3) * payload_.com_std[i] * mass;
     Q(1 + i, 1 + i) += spread * spread;
   }
-  if (star.mean()[0] > Scalar(0.02) * rated_) {
+  if (held > Scalar(0.02) * rated_) {
     // As little as is known of where the payload's centre is, is known of what comes to it; block after block the same.
-    const Eigen::Matrix<Scalar, 4, 4> P = star.covariance().template topLeftCorner<4, 4>();
-    const Vector3<Scalar> slope = P.template bottomLeftCorner<3, 1>() / std::max(P(0, 0), Scalar(1e-12));
-    const Matrix3<Scalar> given_mass = P.template bottomRightCorner<3, 3>() - slope * P.template topRightCorner<1, 3>();
-    Q.template block<3, 3>(1, 1) += (Scalar(0.6) * mass / star.mean()[0]) * given_mass;
+    const InertialMatrix<Scalar> P = star.covariance();
+    const Scalar share = Scalar(0.6) * mass / held, known = Scalar(1) / std::max(P(0, 0), Scalar(1e-12));
+    for (int i = 1; i < 4; ++i)
+      for (int j = 1; j < 4; ++j) Q(i, j) += share * (P(i, j) - P(i, 0) * P(0, j) * known);
   }
-  const Scalar inertia = mass * payload_.com_mean.squaredNorm();
+  const Scalar inertia = mass * detail::dot(payload_.com_mean, payload_.com_mean);
   for (int i = 4; i < kInertial; ++i) Q(i, i) = inertia * inertia;
   return Q;
 }

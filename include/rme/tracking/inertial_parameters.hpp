@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 
 namespace rme {
@@ -89,24 +90,33 @@ template <typename Scalar>
 Eigen::Matrix<Scalar, 6, kInertial> inertial_wrench_regressor(const Matrix3<Scalar>& rotation,
                                                               const Vector3<Scalar>& gravity,
                                                               const FlangeMotion<Scalar>& motion) noexcept {
-  const Vector3<Scalar> specific_force = gravity - motion.linear_acceleration;
-  const Vector3<Scalar> omega = rotation.transpose() * motion.angular_velocity;  // end-effector axes
-  const Vector3<Scalar> alpha = rotation.transpose() * motion.angular_acceleration;
+  using Inertia = Eigen::Matrix<Scalar, 3, 6>;
+  const Vector3<Scalar> specific_force = detail::difference(gravity, motion.linear_acceleration);
+  const Vector3<Scalar> omega = detail::transposed_product(rotation, motion.angular_velocity);  // end-effector axes
+  const Vector3<Scalar> alpha = detail::transposed_product(rotation, motion.angular_acceleration);
   // I v = [v] (I_xx, I_xy, I_xz, I_yy, I_yz, I_zz)
-  const auto product = [](const Vector3<Scalar>& v) {
-    Eigen::Matrix<Scalar, 3, 6> m;
+  const auto inertia_times = [](const Vector3<Scalar>& v) {
+    Inertia m;
     m << v[0], v[1], v[2], 0, 0, 0, 0, v[0], 0, v[1], v[2], 0, 0, 0, v[0], 0, v[1], v[2];
     return m;
   };
   const Matrix3<Scalar> omega_cross = skew(omega);
-  Eigen::Matrix<Scalar, 6, kInertial> Y;
-  Y.template topLeftCorner<3, 1>() = specific_force;
-  Y.template block<3, 3>(0, 1).noalias() = -(rotation * (skew(alpha) + omega_cross * omega_cross));
-  Y.template topRightCorner<3, 6>().setZero();
-  Y.template bottomLeftCorner<3, 1>().setZero();
-  Y.template block<3, 3>(3, 1).noalias() = -(skew(specific_force) * rotation);
-  Y.template bottomRightCorner<3, 6>().noalias() =
-      -(rotation * Eigen::Matrix<Scalar, 3, 6>(product(alpha) + omega_cross * product(omega)));
+  Matrix3<Scalar> acceleration = skew(alpha);  // of a point, by its lever
+  acceleration += detail::product(omega_cross, omega_cross);
+  Inertia moment = inertia_times(alpha);
+  moment += detail::product(omega_cross, inertia_times(omega));
+  const Matrix3<Scalar> force_of_lever = detail::product(rotation, acceleration);
+  const Matrix3<Scalar> moment_of_lever = detail::product(skew(specific_force), rotation);
+  const Inertia moment_of_inertia = detail::product(rotation, moment);
+  Eigen::Matrix<Scalar, 6, kInertial> Y = Eigen::Matrix<Scalar, 6, kInertial>::Zero();
+  for (int i = 0; i < 3; ++i) {
+    Y(i, 0) = specific_force[i];
+    for (int j = 0; j < 3; ++j) {
+      Y(i, 1 + j) = -force_of_lever(i, j);
+      Y(3 + i, 1 + j) = -moment_of_lever(i, j);
+    }
+    for (int j = 0; j < 6; ++j) Y(3 + i, 4 + j) = -moment_of_inertia(i, j);
+  }
   return Y;
 }
 

@@ -63,9 +63,9 @@ class JointTorqueModel {
     for (int j = 0; j < Dofs; ++j) {
       auto& joint = star.joint(j);
       joint.mean[kResidual] = Scalar(0);
-      joint.slope.col(kResidual).setZero();
-      joint.covariance.row(kResidual).setZero();
-      joint.covariance.col(kResidual).setZero();
+      for (int i = 0; i < kInertial; ++i) joint.slope(i, kResidual) = Scalar(0);
+      for (int i = 0; i < kJointNuisances; ++i)
+        joint.covariance(kResidual, i) = joint.covariance(i, kResidual) = Scalar(0);
       joint.covariance(kResidual, kResidual) = noise_.residual_variance(j);
     }
   }
@@ -116,25 +116,33 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   // tau and the motion that goes with it may be a millisecond apart; and the lag of an observer that is not quite what
   // it is said to be is left in as a share of every change.
   const Scalar share = Scalar(kTiming) / block.duration;
-  timing_noise_ = started_ ? JointVector<Scalar, Dofs>((share * share) * (block.tau - block_.tau).cwiseAbs2())
-                           : JointVector<Scalar, Dofs>(JointVector<Scalar, Dofs>::Zero());
-  // Torque that comes in steps stands still between them: what it is off by stays for many blocks.
-  timing_noise_ += Scalar(0.3) * block.torque_step.cwiseAbs2();
+  for (int j = 0; j < Dofs; ++j) {
+    const Scalar change = started_ ? share * (block.tau[j] - block_.tau[j]) : Scalar(0), step = block.torque_step[j];
+    // Torque that comes in steps stands still between them: what it is off by stays for many blocks.
+    timing_noise_[j] = change * change + Scalar(0.3) * step * step;
+  }
   turn(block);
   started_ = true;
   // Noise of dq at both ends of the block is noise of the flange's acceleration: of the force on the payload, and of
   // the moment that turns it, whose arm is the prior's.
-  const Jacobian<Scalar, Dofs> squares = block.jacobian.cwiseAbs2();
-  const Vector6<Scalar> twist_noise = squares * block.velocity_noise;
+  Scalar linear_noise = Scalar(0), angular_noise = Scalar(0);  // mean over the axes
+  JointVector<Scalar, Dofs> lever, turn;                       // squares of the columns of J
+  for (int j = 0; j < Dofs; ++j) {
+    lever[j] = turn[j] = Scalar(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      lever[j] += block.jacobian(axis, j) * block.jacobian(axis, j);
+      turn[j] += block.jacobian(3 + axis, j) * block.jacobian(3 + axis, j);
+    }
+    linear_noise += lever[j] * block.velocity_noise[j] / 3;
+    angular_noise += turn[j] * block.velocity_noise[j] / 3;
+  }
   // The slope of n samples has 12 / n, that of a few samples what two ends make; and 2.5 times that, since the joints
   // all see the same noise, which is left out otherwise.
   const auto samples = static_cast<Scalar>(std::max(1, block.samples));
   const Scalar difference = Scalar(2.5) * std::min(Scalar(2), Scalar(12) / samples) / (block.duration * block.duration);
-  const Scalar linear = difference * twist_noise.template head<3>().mean();
-  const Scalar angular = difference * twist_noise.template tail<3>().mean();
-  inertia_noise_ = linear * squares.template topRows<3>().colwise().sum().transpose();
-  inertia_noise_ += (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) *
-                    squares.template bottomRows<3>().colwise().sum().transpose();
+  const Scalar linear = difference * linear_noise, angular = difference * angular_noise;
+  for (int j = 0; j < Dofs; ++j)
+    inertia_noise_[j] = linear * lever[j] + (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) * turn[j];
   block_ = block;
   regime_ = regime;
 }
@@ -178,9 +186,9 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
     auto& V = joint.covariance;
     const auto scale = [&](Nuisance n, Scalar by) {
       joint.mean[n] *= by;
-      joint.slope.col(n) *= by;
-      V.row(n) *= by;
-      V.col(n) *= by;
+      for (int i = 0; i < kInertial; ++i) joint.slope(i, n) *= by;
+      for (int i = 0; i < kJointNuisances; ++i) V(i, n) *= by;
+      for (int i = 0; i < kJointNuisances; ++i) V(n, i) *= by;
     };
     const Scalar kept = rough ? keep * exp(-turned_[j]) : keep;
     scale(kResidual, kept);
@@ -202,9 +210,9 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
     if (friction.stops) {  // what held it until it stopped holds it still, or nearly so
       const Scalar d = Scalar(-0.95) * friction.last_direction;
       joint.mean[kStiction] = d * joint.mean[kCoulomb];
-      joint.slope.col(kStiction) = d * joint.slope.col(kCoulomb);
-      V.row(kStiction) = d * V.row(kCoulomb);
-      V.col(kStiction) = V.row(kStiction).transpose();
+      for (int i = 0; i < kInertial; ++i) joint.slope(i, kStiction) = d * joint.slope(i, kCoulomb);
+      for (int i = 0; i < kJointNuisances; ++i)
+        if (i != kStiction) V(kStiction, i) = V(i, kStiction) = d * V(kCoulomb, i);
       const Scalar off = Scalar(0.15) * joint.mean[kCoulomb];
       V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
     } else if (regime_.rests(j)) {
@@ -220,7 +228,7 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
   constexpr double kSlow = 0.003;  // where a rough arm's friction goes from stiction to that of motion [rad/s]
   JointObservation<Scalar> o;
   o.torque = block_.tau[j];
-  o.h = block_.regressor.row(j).transpose();
+  for (int i = 0; i < kInertial; ++i) o.h[i] = block_.regressor(j, i);
   o.noise = noise_.variance(j) + timing_noise_[j] + mass * mass * inertia_noise_[j];
   if (sensing_ == Sensing::LinkSide) {
     o.c << 1, 0, 0, 1, 0;

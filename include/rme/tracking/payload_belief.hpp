@@ -2,6 +2,7 @@
 /// From a Gaussian over the inertial parameters to one over mass and centre of mass, within what an arm can hold.
 #include <algorithm>
 #include <cmath>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/tracking/arm_prior.hpp>
@@ -51,9 +52,10 @@ InertialGaussian<Scalar> within_rated(const InertialGaussian<Scalar>& free, Scal
     cut.mean[0] = cut_mean;
     return cut;
   }
-  const InertialVector<Scalar> slope = free.covariance.col(0) / variance;
-  cut.mean += slope * (cut_mean - mass);
-  cut.covariance += slope * slope.transpose() * (cut_variance - variance);
+  InertialVector<Scalar> slope;
+  for (int i = 0; i < kInertial; ++i) slope[i] = free.covariance(i, 0) / variance;
+  detail::add_scaled(cut.mean, cut_mean - mass, slope);
+  detail::add_outer(cut.covariance, detail::scaled(cut_variance - variance, slope), slope);
   return cut;
 }
 
@@ -63,20 +65,23 @@ template <typename Scalar>
 PayloadGaussian<Scalar> payload_of(const InertialGaussian<Scalar>& phi, const PayloadPrior<Scalar>& prior) noexcept {
   PayloadGaussian<Scalar> out;
   const Scalar mass = phi.mean[0];
-  out.mean << mass, prior.com_mean;
+  out.mean = Vector4<Scalar>(mass, prior.com_mean[0], prior.com_mean[1], prior.com_mean[2]);
   out.covariance.setZero();
   out.covariance(0, 0) = phi.covariance(0, 0);
-  out.covariance.diagonal().template tail<3>() = prior.com_std.cwiseAbs2();
+  for (int i = 0; i < 3; ++i) out.covariance(1 + i, 1 + i) = prior.com_std[i] * prior.com_std[i];
   if (!(mass * mass > phi.covariance(0, 0)) || !(mass > 0)) return out;
-  const Vector3<Scalar> com = phi.mean.template segment<3>(1) / mass;
-  Matrix4<Scalar> derivative = Matrix4<Scalar>::Zero();
+  Matrix4<Scalar> derivative = Matrix4<Scalar>::Zero(), P;
   derivative(0, 0) = 1;
-  derivative.template bottomLeftCorner<3, 1>() = -com / mass;
-  derivative.template bottomRightCorner<3, 3>().diagonal().setConstant(1 / mass);
-  out.mean.template tail<3>() = com;
-  out.covariance = derivative * phi.covariance.template topLeftCorner<4, 4>() * derivative.transpose();
+  for (int i = 1; i < 4; ++i) {
+    out.mean[i] = phi.mean[i] / mass;
+    derivative(i, 0) = -out.mean[i] / mass;
+    derivative(i, i) = 1 / mass;
+  }
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) P(i, j) = phi.covariance(i, j);
+  out.covariance = detail::product(detail::product(derivative, P), Matrix4<Scalar>(derivative.transpose()));
   // What cancels in it must not leave a variance below zero.
-  out.covariance.diagonal() = out.covariance.diagonal().cwiseMax(Scalar(1e-12));
+  for (int i = 0; i < 4; ++i) out.covariance(i, i) = std::max(out.covariance(i, i), Scalar(1e-12));
   return out;
 }
 

@@ -2,6 +2,7 @@
 /// The dangerous direction: what is carried may be gone.
 #include <algorithm>
 #include <cmath>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 
 namespace rme {
@@ -23,13 +24,13 @@ class RemovalGuard {
   /// @param carried  torque of what is believed to be held [N m]
   void update(const Vector& tau, const Vector& carried, Scalar dt) noexcept {
     using std::exp;
-    average_ += (Scalar(1) - exp(-dt / Scalar(kAverage))) * (tau - average_);
-    const Scalar square = carried.squaredNorm();
+    detail::add_scaled(average_, Scalar(1) - exp(-dt / Scalar(kAverage)), detail::difference(tau, average_));
+    const Scalar square = detail::dot(carried, carried);
     if (!(square > Scalar(kLeast * kLeast))) {
       share_ = Scalar(1);
       return;
     }
-    const Scalar support = (average_ - besides_).dot(carried) / square;
+    const Scalar support = detail::dot(detail::difference(average_, besides_), carried) / square;
     share_ = std::max(Scalar(0), std::min(Scalar(1), 2 * support));
   }
   /// What a block's mean torque held besides the payload's, of a block in which nothing happened [N m].

@@ -29,11 +29,14 @@ class SensorNoise {
   SensorNoise(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm) noexcept
       : rough_(sensing == Sensing::RoughModel),
         share_(arm.residual),
-        variance_(arm.noise.cwiseAbs2()),
-        floor_((Scalar(kLeastNoise) * arm.residual).cwiseAbs2()),
         range_(kResidual[static_cast<std::size_t>(sensing)]),
         residual_(static_cast<Scalar>(range_.first)) {
-    blocks_.setConstant(Scalar(kPriorBlocks));
+    for (int j = 0; j < Dofs; ++j) {
+      const Scalar least = Scalar(kLeastNoise) * arm.residual[j];
+      variance_[j] = arm.noise[j] * arm.noise[j];
+      floor_[j] = least * least;
+      blocks_[j] = Scalar(kPriorBlocks);
+    }
   }
 
   /// Variance of a block's mean torque [(N m)^2].

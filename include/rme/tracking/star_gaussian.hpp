@@ -1,8 +1,10 @@
 #pragma once
 /// The Gaussian of one filter: a payload's inertial parameters, and what each joint's torque carries beside them.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/inertial_parameters.hpp>
 
@@ -59,23 +61,34 @@ class StarGaussian {
   };
 
   const Phi& mean() const noexcept { return mean_; }
-  PhiMatrix covariance() const noexcept { return factor_.lazyProduct(factor_.transpose()); }
-  Scalar mass_variance() const noexcept { return factor_.row(0).squaredNorm(); }
+  PhiMatrix covariance() const noexcept { return detail::outer_square(factor_); }
+  Scalar mass_variance() const noexcept {
+    Scalar sum = Scalar(0);
+    for (int k = 0; k < kInertial; ++k) sum += factor_(0, k) * factor_(0, k);
+    return sum;
+  }
   Joint& joint(int j) noexcept { return joints_[static_cast<std::size_t>(j)]; }
   const Joint& joint(int j) const noexcept { return joints_[static_cast<std::size_t>(j)]; }
   /// Mean of beta_j, whatever phi is.
-  Beta nuisance_mean(int j) const noexcept { return joint(j).mean + joint(j).slope.transpose().lazyProduct(mean_); }
+  Beta nuisance_mean(int j) const noexcept {
+    Beta mean = joint(j).mean;
+    if (!empty_) mean += detail::transposed_product(joint(j).slope, mean_);
+    return mean;
+  }
   /// Covariance of beta_j, whatever phi is.
   BetaMatrix nuisance_covariance(int j) const noexcept {
-    const Slope spread = factor_.transpose().lazyProduct(joint(j).slope);
-    return joint(j).covariance + spread.transpose().lazyProduct(spread);
+    BetaMatrix V = joint(j).covariance;
+    if (empty_) return V;
+    const Slope spread = detail::transposed_product(factor_, joint(j).slope);
+    V += detail::transposed_product(spread, spread);
+    return V;
   }
 
   /// Whether all of it is finite: numbers that no arm reports may overflow, in float above all.
   bool finite() const noexcept {
-    bool good = mean_.allFinite() && factor_.allFinite();
+    bool good = detail::finite(mean_) && detail::finite(factor_);
     for (const Joint& joint : joints_)
-      good = good && joint.mean.allFinite() && joint.slope.allFinite() && joint.covariance.allFinite();
+      good = good && detail::finite(joint.mean) && detail::finite(joint.slope) && detail::finite(joint.covariance);
     return good;
   }
 
@@ -93,58 +106,72 @@ class StarGaussian {
     const Joint& joint = this->joint(j);
     Prediction p;
     p.gain_row = o.h;
-    p.gain_row += joint.slope.lazyProduct(o.c);
-    p.spread = factor_.transpose().lazyProduct(p.gain_row);
-    p.nuisance_spread = joint.covariance.lazyProduct(o.c);
-    p.given_payload = o.c.dot(p.nuisance_spread) + o.noise;
-    p.variance = p.spread.squaredNorm() + p.given_payload;
-    p.conditional_error = o.torque - o.c.dot(joint.mean);
-    p.innovation = p.conditional_error - p.gain_row.dot(mean_);
+    if (empty_) {
+      p.spread.setZero();
+    } else {
+      p.gain_row += detail::product(joint.slope, o.c);
+      p.spread = detail::transposed_product(factor_, p.gain_row);
+    }
+    p.nuisance_spread = detail::product(joint.covariance, o.c);
+    p.given_payload = detail::dot(o.c, p.nuisance_spread) + o.noise;
+    p.variance = detail::dot(p.spread, p.spread) + p.given_payload;
+    p.conditional_error = o.torque - detail::dot(o.c, joint.mean);
+    p.innovation = p.conditional_error - detail::dot(p.gain_row, mean_);
     return p;
   }
   /// Takes the observation in. `p` is what predict() said of it.
   void observe(int j, const Prediction& p) noexcept {
     using std::sqrt;
     Joint& joint = this->joint(j);
-    const Phi covariance_row = factor_.lazyProduct(p.spread);
-    mean_ += covariance_row * (p.innovation / p.variance);
-    const Scalar shrink = Scalar(1) / (p.variance * (Scalar(1) + sqrt(p.given_payload / p.variance)));
-    factor_ -= Phi(shrink * covariance_row).lazyProduct(p.spread.transpose());
-    const Beta gain = p.nuisance_spread / p.given_payload;
-    joint.mean += gain * p.conditional_error;
-    joint.slope -= p.gain_row.lazyProduct(gain.transpose());
-    joint.covariance -= gain.lazyProduct(p.nuisance_spread.transpose());
+    const Beta minus_gain = detail::scaled(Scalar(-1) / p.given_payload, p.nuisance_spread);
+    if (!empty_) {
+      const Phi covariance_row = detail::product(factor_, p.spread);
+      detail::add_scaled(mean_, p.innovation / p.variance, covariance_row);
+      const Scalar shrink = Scalar(1) / (p.variance * (Scalar(1) + sqrt(p.given_payload / p.variance)));
+      detail::add_outer(factor_, detail::scaled(-shrink, covariance_row), p.spread);
+      detail::add_outer(joint.slope, p.gain_row, minus_gain);
+    }
+    detail::add_scaled(joint.mean, -p.conditional_error, minus_gain);
+    detail::add_outer(joint.covariance, minus_gain, p.nuisance_spread);
   }
 
   /// phi is drawn anew, whatever it was: N(mean, factor factor^T). What was known of the joints stays.
   void replace_payload(const Phi& mean, const PhiMatrix& factor) noexcept {
-    for (Joint& joint : joints_) {
-      joint.mean += joint.slope.transpose().lazyProduct(mean_);
-      const Slope spread = factor_.transpose().lazyProduct(joint.slope);
-      joint.covariance += spread.transpose().lazyProduct(spread);
+    for (int j = 0; j < Dofs; ++j) {
+      Joint& joint = this->joint(j);
+      if (!empty_) {
+        joint.mean = nuisance_mean(j);
+        joint.covariance = nuisance_covariance(j);
+      }
       joint.slope.setZero();
     }
     mean_ = mean;
     factor_ = factor;
+    empty_ = false;
   }
   /// The hand is empty: phi = 0.
-  void empty_payload() noexcept { replace_payload(Phi::Zero(), PhiMatrix::Zero()); }
+  void empty_payload() noexcept {
+    if (empty_) return;
+    replace_payload(Phi::Zero(), PhiMatrix::Zero());
+    empty_ = true;
+  }
 
   /// phi += N(0, Q).
   void diffuse(const PhiMatrix& Q) noexcept {
     const PhiMatrix before = covariance();
-    PhiMatrix lower;
-    if (!factorise(before + Q, lower)) return;
-    for (Joint& joint : joints_) {
-      const Slope cross = before.lazyProduct(joint.slope);
-      const Beta mean = joint.mean + joint.slope.transpose().lazyProduct(mean_);
-      const BetaMatrix total = joint.covariance + joint.slope.transpose().lazyProduct(cross);
-      joint.slope = solve(lower, cross);
-      joint.covariance = total - joint.slope.transpose().lazyProduct(cross);
-      symmetrise(joint.covariance);
-      joint.mean = mean - joint.slope.transpose().lazyProduct(mean_);
+    PhiMatrix total = before, lower;
+    total += Q;
+    if (!factorise(total, lower)) return;
+    const PhiMatrix inverse = inverted(lower);
+    for (int j = 0; j < Dofs; ++j) {
+      Joint& joint = this->joint(j);
+      const Slope cross = detail::product(before, joint.slope);
+      BetaMatrix V = joint.covariance;
+      V += detail::transposed_product(joint.slope, cross);
+      joint = given_payload(inverse, mean_, nuisance_mean(j), cross, V);
     }
     factor_ = lower;
+    empty_ = false;
   }
 
   /// The star with the moments of a mixture of stars.
@@ -162,46 +189,62 @@ class StarGaussian {
   /// @return false if P is not finite; then L is as it was
   static bool factorise(const PhiMatrix& P, PhiMatrix& L) noexcept {
     using std::sqrt;
-    if (!P.allFinite()) return false;
+    if (!detail::finite(P)) return false;
     PhiMatrix out = PhiMatrix::Zero();
     for (int j = 0; j < kInertial; ++j) {
-      const Scalar pivot = P(j, j) - out.row(j).head(j).squaredNorm();
+      Scalar pivot = P(j, j);
+      for (int k = 0; k < j; ++k) pivot -= out(j, k) * out(j, k);
       // Relative to its own diagonal entry, since kilograms and kilogram square metres stand side by side.
       if (!(pivot > Eigen::NumTraits<Scalar>::epsilon() * 16 * P(j, j))) continue;
       out(j, j) = sqrt(pivot);
-      for (int i = j + 1; i < kInertial; ++i)
-        out(i, j) = (P(i, j) - out.row(i).head(j).dot(out.row(j).head(j))) / out(j, j);
+      for (int i = j + 1; i < kInertial; ++i) {
+        Scalar sum = P(i, j);
+        for (int k = 0; k < j; ++k) sum -= out(i, k) * out(j, k);
+        out(i, j) = sum / out(j, j);
+      }
     }
     L = out;
     return true;
   }
 
  private:
-  /// (L L^T)^+ X of factorise()'s L.
-  static Slope solve(const PhiMatrix& L, Slope X) noexcept {
-    for (int i = 0; i < kInertial; ++i) {
-      if (!(L(i, i) > 0)) {
-        X.row(i).setZero();
-        continue;
+  /// L^+ of factorise()'s L, with zeros in the rows and columns of directions of which it says nothing.
+  static PhiMatrix inverted(const PhiMatrix& L) noexcept {
+    PhiMatrix out = PhiMatrix::Zero();
+    for (int j = 0; j < kInertial; ++j) {
+      if (!(L(j, j) > 0)) continue;
+      out(j, j) = Scalar(1) / L(j, j);
+      for (int i = j + 1; i < kInertial; ++i) {
+        if (!(L(i, i) > 0)) continue;
+        Scalar sum = Scalar(0);
+        for (int k = j; k < i; ++k) sum -= L(i, k) * out(k, j);
+        out(i, j) = sum / L(i, i);
       }
-      for (int k = 0; k < i; ++k) X.row(i) -= L(i, k) * X.row(k);
-      X.row(i) /= L(i, i);
     }
-    for (int i = kInertial - 1; i >= 0; --i) {
-      if (!(L(i, i) > 0)) continue;
-      for (int k = i + 1; k < kInertial; ++k) X.row(i) -= L(k, i) * X.row(k);
-      X.row(i) /= L(i, i);
-    }
-    return X;
+    return out;
   }
-  static void symmetrise(BetaMatrix& V) noexcept {
-    const BetaMatrix transposed = V.transpose();
-    V = Scalar(0.5) * (V + transposed);
-    V.diagonal() = V.diagonal().cwiseMax(Scalar(0));
+  /// What a joint's nuisances are for a known payload, from moments of both.
+  /// @param inverse          inverted() of the factor of the payload's covariance
+  /// @param phi              the payload's mean
+  /// @param mean, cross, V   E[beta], cov(phi, beta), cov(beta), whatever the payload is
+  static Joint given_payload(const PhiMatrix& inverse, const Phi& phi, const Beta& mean, const Slope& cross,
+                             const BetaMatrix& V) noexcept {
+    const Slope white = detail::product(inverse, cross);
+    Joint joint{mean, detail::transposed_product(inverse, white), V};
+    detail::add_scaled(joint.mean, Scalar(-1), detail::transposed_product(joint.slope, phi));
+    for (int i = 0; i < kJointNuisances; ++i) {
+      for (int k = 0; k <= i; ++k) {
+        const Scalar shown = detail::column(white, i).dot(detail::column(white, k));
+        joint.covariance(i, k) = joint.covariance(k, i) = Scalar(0.5) * (V(i, k) + V(k, i)) - shown;
+      }
+      joint.covariance(i, i) = std::max(joint.covariance(i, i), Scalar(0));
+    }
+    return joint;
   }
 
   Phi mean_ = Phi::Zero();
   PhiMatrix factor_ = PhiMatrix::Zero();  // F
+  bool empty_ = true;                     // phi = 0 for certain, so that slopes, whatever they are, count for nothing
   std::array<Joint, static_cast<std::size_t>(Dofs)> joints_;
 };
 
@@ -213,33 +256,37 @@ StarGaussian<Scalar, Dofs> StarGaussian<Scalar, Dofs>::mix(const std::array<cons
   std::array<PhiMatrix, Count> P;
   PhiMatrix total = PhiMatrix::Zero();
   for (std::size_t i = 0; i < Count; ++i)
-    if (weights[i] > 0) out.mean_ += weights[i] * parts[i]->mean_;
+    if (weights[i] > 0) detail::add_scaled(out.mean_, weights[i], parts[i]->mean_);
   for (std::size_t i = 0; i < Count; ++i) {
     if (!(weights[i] > 0)) continue;
-    const Phi d = parts[i]->mean_ - out.mean_;
+    const Phi d = detail::difference(parts[i]->mean_, out.mean_);
     P[i] = parts[i]->covariance();
-    total += weights[i] * (P[i] + d.lazyProduct(d.transpose()));
+    detail::add_scaled(total, weights[i], P[i]);
+    detail::add_outer(total, detail::scaled(weights[i], d), d);
   }
   if (!factorise(total, out.factor_)) return out;
+  const PhiMatrix inverse = inverted(out.factor_);
+  out.empty_ = false;
   for (int j = 0; j < Dofs; ++j) {
     Beta mean = Beta::Zero();
     for (std::size_t i = 0; i < Count; ++i)
-      if (weights[i] > 0) mean += weights[i] * parts[i]->nuisance_mean(j);
+      if (weights[i] > 0) detail::add_scaled(mean, weights[i], parts[i]->nuisance_mean(j));
     Slope cross = Slope::Zero();
     BetaMatrix V = BetaMatrix::Zero();
     for (std::size_t i = 0; i < Count; ++i) {
       if (!(weights[i] > 0)) continue;
       const Joint& part = parts[i]->joint(j);
-      const Beta d = parts[i]->nuisance_mean(j) - mean;
-      const Slope own = P[i].lazyProduct(part.slope);
-      cross += weights[i] * (own + Phi(parts[i]->mean_ - out.mean_).lazyProduct(d.transpose()));
-      V += weights[i] * (part.covariance + part.slope.transpose().lazyProduct(own) + d.lazyProduct(d.transpose()));
+      const Beta d = detail::difference(parts[i]->nuisance_mean(j), mean);
+      const Beta weighted = detail::scaled(weights[i], d);
+      detail::add_outer(cross, detail::difference(parts[i]->mean_, out.mean_), weighted);
+      detail::add_scaled(V, weights[i], part.covariance);
+      detail::add_outer(V, weighted, d);
+      if (parts[i]->empty_) continue;
+      const Slope own = detail::product(P[i], part.slope);
+      detail::add_scaled(cross, weights[i], own);
+      detail::add_scaled(V, weights[i], detail::transposed_product(part.slope, own));
     }
-    Joint& joint = out.joint(j);
-    joint.slope = solve(out.factor_, cross);
-    joint.covariance = V - joint.slope.transpose().lazyProduct(cross);
-    symmetrise(joint.covariance);
-    joint.mean = mean - joint.slope.transpose().lazyProduct(out.mean_);
+    out.joint(j) = given_payload(inverse, out.mean_, mean, cross, V);
   }
   return out;
 }
@@ -255,12 +302,13 @@ StarGaussian<Scalar, Dofs> StarGaussian<Scalar, Dofs>::mix_emptied(const std::ar
     for (std::size_t i = 0; i < Count; ++i) {
       if (!(weights[i] > 0)) continue;
       mean[i] = parts[i]->nuisance_mean(j);
-      joint.mean += weights[i] * mean[i];
+      detail::add_scaled(joint.mean, weights[i], mean[i]);
     }
     for (std::size_t i = 0; i < Count; ++i) {
       if (!(weights[i] > 0)) continue;
-      const Beta d = mean[i] - joint.mean;
-      joint.covariance += weights[i] * (parts[i]->nuisance_covariance(j) + d.lazyProduct(d.transpose()));
+      const Beta d = detail::difference(mean[i], joint.mean);
+      detail::add_scaled(joint.covariance, weights[i], parts[i]->nuisance_covariance(j));
+      detail::add_outer(joint.covariance, detail::scaled(weights[i], d), d);
     }
   }
   return out;

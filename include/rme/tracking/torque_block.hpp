@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <rme/core/flange_motion.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
 #include <rme/sensing/proprioception.hpp>
@@ -130,14 +131,20 @@ void BlockAverager<Scalar, Dofs>::begin() noexcept {
 template <typename Scalar, int Dofs>
 void BlockAverager<Scalar, Dofs>::learn_noise() noexcept {
   if (differences_ > 0) {
-    const JointVector<Scalar, Dofs> seen = squares_ / Scalar(differences_);
-    // Slowly, and with single large values cut: accelerations that change are no noise.
-    noise_ +=
-        Scalar(kNoiseBlend) * (seen.cwiseMin(25 * noise_ + JointVector<Scalar, Dofs>::Constant(Scalar(1e-8))) - noise_);
+    for (int j = 0; j < Dofs; ++j) {
+      const Scalar seen = squares_[j] / Scalar(differences_);
+      // Slowly, and with single large values cut: accelerations that change are no noise.
+      noise_[j] += Scalar(kNoiseBlend) * (std::min(seen, 25 * noise_[j] + Scalar(1e-8)) - noise_[j]);
+    }
   }
   // Of the flange's velocity, along the axis where it is largest.
-  const Vector3<Scalar> linear = last_.jacobian.template topRows<3>().cwiseAbs2() * noise_;
-  const auto variance = static_cast<double>(linear.maxCoeff());
+  Scalar largest = Scalar(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    Scalar sum = Scalar(0);
+    for (int j = 0; j < Dofs; ++j) sum += last_.jacobian(axis, j) * last_.jacobian(axis, j) * noise_[j];
+    largest = std::max(largest, sum);
+  }
+  const auto variance = static_cast<double>(largest);
   const double period = static_cast<double>(duration_) / std::max(1, sums_.samples);
   // The slope of n = T / period samples has a variance of 12 / (n T^2) of one's.
   target_ = std::max(kDuration, std::min(longest_, std::cbrt(12 * period * variance / (kFeigned * kFeigned))));
@@ -145,7 +152,7 @@ void BlockAverager<Scalar, Dofs>::learn_noise() noexcept {
 
 template <typename Scalar, int Dofs>
 bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample, double dt, double time) noexcept {
-  const auto twist = Twist<Scalar>::from_vector(sample.jacobian * sample.dq);
+  const auto twist = Twist<Scalar>::from_vector(detail::product(sample.jacobian, sample.dq));
   if (!started_) {
     started_ = true;
     samples_ = 0;
@@ -158,34 +165,34 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   // The observer may run faster than samples come: b of n of its periods is 1 - (1 - K p)^n.
   const double gain = std::min(1.0, bandwidth_ * kObserverPeriod);
   const auto blend = bandwidth_ > 0 ? static_cast<Scalar>(1 - std::pow(1 - gain, dt / kObserverPeriod)) : Scalar(1);
-  torque_ = last_.tau_ext + (sample.tau_ext - last_.tau_ext) / std::max(blend, Scalar(1e-6));
-
-  const auto h = static_cast<Scalar>(dt);
-  const JointVector<Scalar, Dofs> difference = sample.dq - last_.dq;
-  if (samples_ > 0) {  // second differences, which a steady acceleration does not enter: variance 6 sigma^2
-    squares_ += (difference - difference_).cwiseAbs2() / Scalar(6);
-    ++differences_;
-  }
-  difference_ = difference;
+  const Scalar invert = Scalar(1) / std::max(blend, Scalar(1e-6));
   for (int j = 0; j < Dofs; ++j) {
-    const Scalar step = std::abs(sample.tau_ext[j] - last_.tau_ext[j]);
+    const Scalar change = sample.tau_ext[j] - last_.tau_ext[j], step = std::abs(change);
+    torque_[j] = last_.tau_ext[j] + change * invert;
     if (step > Scalar(1e-7) && (step < step_[j] || step_[j] == Scalar(0))) step_[j] = step;
+    // Second differences of dq, which a steady acceleration does not enter: variance 6 sigma^2.
+    const Scalar difference = sample.dq[j] - last_.dq[j], second = difference - difference_[j];
+    if (samples_ > 0) squares_[j] += second * second / Scalar(6);
+    difference_[j] = difference;
   }
+  if (samples_ > 0) ++differences_;
   ++samples_;
+  const auto h = static_cast<Scalar>(dt);
   const Scalar along = (duration_ + part_duration_ + Scalar(0.5) * h) / static_cast<Scalar>(target_);
   // Not quite zero where a block, of samples that jitter, lasts longer than was meant.
   const Scalar shape = std::max(Scalar(0.05), 6 * along * (Scalar(1) - along)), weight = h * shape;
-  sums_.tau += weight * torque_;
-  part_velocity_ += h * sample.dq;
+  detail::add_scaled(sums_.tau, weight, torque_);
+  detail::add_scaled(part_velocity_, h, sample.dq);
   part_duration_ += h;
   part_weight_ += weight;
-  part_change_.linear += shape * (twist.linear - last_twist_.linear);
-  part_change_.angular += shape * (twist.angular - last_twist_.angular);
-  part_twist_.angular += Scalar(0.5) * weight * (twist.angular + last_twist_.angular);
+  detail::add_scaled(part_change_.linear, shape, detail::difference(twist.linear, last_twist_.linear));
+  detail::add_scaled(part_change_.angular, shape, detail::difference(twist.angular, last_twist_.angular));
+  detail::add_scaled(part_twist_.angular, Scalar(0.5) * weight, twist.angular);
+  detail::add_scaled(part_twist_.angular, Scalar(0.5) * weight, last_twist_.angular);
   if (sample.motion) {
-    part_motion_.angular_velocity += weight * sample.motion->angular_velocity;
-    part_motion_.linear_acceleration += weight * sample.motion->linear_acceleration;
-    part_motion_.angular_acceleration += weight * sample.motion->angular_acceleration;
+    detail::add_scaled(part_motion_.angular_velocity, weight, sample.motion->angular_velocity);
+    detail::add_scaled(part_motion_.linear_acceleration, weight, sample.motion->linear_acceleration);
+    detail::add_scaled(part_motion_.angular_acceleration, weight, sample.motion->angular_acceleration);
     part_motion_weight_ += weight;
   }
   last_ = sample;
@@ -204,7 +211,8 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   sums_.tau /= weight_;
   sums_.regressor /= weight_;
   sums_.velocity /= duration_;
-  for (int i = parts_; i < kBlockParts; ++i) sums_.velocities.col(i) = sums_.velocities.col(parts_ - 1);
+  for (int i = parts_; i < kBlockParts; ++i)
+    for (int j = 0; j < Dofs; ++j) sums_.velocities(j, i) = sums_.velocities(j, parts_ - 1);
   learn_noise();
   sums_.velocity_noise = noise_;
   sums_.torque_step = step_;
@@ -219,19 +227,24 @@ template <typename Scalar, int Dofs>
 void BlockAverager<Scalar, Dofs>::end_part() noexcept {
   FlangeMotion<Scalar> motion;
   if (part_motion_weight_ > Scalar(0.5) * part_weight_) {
-    motion.angular_velocity = part_motion_.angular_velocity / part_motion_weight_;
-    motion.linear_acceleration = part_motion_.linear_acceleration / part_motion_weight_;
-    motion.angular_acceleration = part_motion_.angular_acceleration / part_motion_weight_;
+    const Scalar mean = Scalar(1) / part_motion_weight_;
+    motion.angular_velocity = detail::scaled(mean, part_motion_.angular_velocity);
+    motion.linear_acceleration = detail::scaled(mean, part_motion_.linear_acceleration);
+    motion.angular_acceleration = detail::scaled(mean, part_motion_.angular_acceleration);
   } else {
-    motion.angular_velocity = part_twist_.angular / part_weight_;
-    motion.linear_acceleration = part_change_.linear / part_weight_;
-    motion.angular_acceleration = part_change_.angular / part_weight_;
+    const Scalar mean = Scalar(1) / part_weight_;
+    motion.angular_velocity = detail::scaled(mean, part_twist_.angular);
+    motion.linear_acceleration = detail::scaled(mean, part_change_.linear);
+    motion.angular_acceleration = detail::scaled(mean, part_change_.angular);
   }
   sums_.velocity += part_velocity_;
   const Eigen::Matrix<Scalar, 6, kInertial> wrench =
       inertial_wrench_regressor<Scalar>(last_.rotation, gravity_, motion);
-  sums_.regressor += part_weight_ * last_.jacobian.transpose().lazyProduct(wrench);
-  if (parts_ < kBlockParts) sums_.velocities.col(parts_++) = part_velocity_ / part_duration_;
+  detail::add_scaled(sums_.regressor, part_weight_, detail::transposed_product(last_.jacobian, wrench));
+  if (parts_ < kBlockParts) {
+    for (int j = 0; j < Dofs; ++j) sums_.velocities(j, parts_) = part_velocity_[j] / part_duration_;
+    ++parts_;
+  }
   duration_ += part_duration_;
   weight_ += part_weight_;
   begin_part();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/friction_regime.hpp>
@@ -97,21 +98,20 @@ class Tracker {
   void set_payload(const PayloadGaussian<Scalar>& payload) noexcept {
     settle();
     const Scalar mass = payload.mean[0], variance = payload.covariance(0, 0);
-    const Vector3<Scalar> com = payload.mean.template tail<3>();
+    const Vector4<Scalar>& theta = payload.mean;
+    const Matrix4<Scalar>& V = payload.covariance;
     InertialVector<Scalar> mean = InertialVector<Scalar>::Zero();
-    const Vector3<Scalar> mass_com = payload.covariance.template block<3, 1>(1, 0);
     mean[0] = mass;
-    mean.template segment<3>(1) = mass * com + mass_com;
-    const InertialMatrix<Scalar> prior =
-        payload_.factor(std::max(mass * mass + variance, Scalar(1e-6) * rated_ * rated_));
-    InertialMatrix<Scalar> P = prior.lazyProduct(prior.transpose());
-    P.template topLeftCorner<4, 4>().setZero();
+    InertialMatrix<Scalar> P =
+        detail::outer_square(payload_.factor(std::max(mass * mass + variance, Scalar(1e-6) * rated_ * rated_)));
     P(0, 0) = variance;
-    P.template block<3, 1>(1, 0) = com * variance + mass * mass_com;
-    P.template block<1, 3>(0, 1) = P.template block<3, 1>(1, 0).transpose();
-    P.template block<3, 3>(1, 1) = com * com.transpose() * variance +
-                                   mass * (mass_com * com.transpose() + com * mass_com.transpose()) +
-                                   (mass * mass + variance) * payload.covariance.template bottomRightCorner<3, 3>();
+    for (int i = 1; i < 4; ++i) {
+      mean[i] = mass * theta[i] + V(i, 0);
+      P(i, 0) = P(0, i) = theta[i] * variance + mass * V(i, 0);
+      for (int j = 1; j < 4; ++j)
+        P(i, j) = theta[i] * theta[j] * variance + mass * (V(i, 0) * theta[j] + theta[i] * V(j, 0)) +
+                  (mass * mass + variance) * V(i, j);
+    }
     InertialMatrix<Scalar> factor;
     if (!StarGaussian<Scalar, Dofs>::factorise(P, factor)) return;
     for (auto& bank : banks_) {
@@ -174,7 +174,7 @@ class Tracker {
         out.probability[h] += w;
         if (h == Hypothesis::Empty) continue;
         held += w;
-        mean += w * banks_[k].star(h).mean();
+        detail::add_scaled(mean, w, banks_[k].star(h).mean());
       }
     }
     if (held > 0) mean /= held;
@@ -184,12 +184,13 @@ class Tracker {
         const auto h = static_cast<Hypothesis>(i);
         const Scalar w = share[k] * banks_[k].probability(h) / held;
         if (h == Hypothesis::Empty || !(w > Scalar(1e-6))) continue;
-        const InertialVector<Scalar> d = banks_[k].star(h).mean() - mean;
-        out.payload.covariance += w * (banks_[k].star(h).covariance() + d.lazyProduct(d.transpose()));
+        const InertialVector<Scalar> d = detail::difference(banks_[k].star(h).mean(), mean);
+        detail::add_scaled(out.payload.covariance, w, banks_[k].star(h).covariance());
+        detail::add_outer(out.payload.covariance, detail::scaled(w, d), d);
       }
     }
     out.payload = within_rated(out.payload, rated_);
-    if (!out.payload.mean.allFinite() || !out.payload.covariance.allFinite()) out.payload = belief_.payload;
+    if (!detail::finite(out.payload.mean) || !detail::finite(out.payload.covariance)) out.payload = belief_.payload;
     belief_ = out;
   }
 
