@@ -1,10 +1,10 @@
-# Target docs_html: the headers, README and docs/ as HTML; a warning of Doxygen's is an error. No LaTeX, no graphviz: formulas
-# are plain text.
+# Target docs_html: the headers, README and docs/ as HTML, with docs/README.md as the main page; a warning of Doxygen's is an
+# error. No LaTeX, no graphviz: formulas are plain text.
 find_package(Doxygen 1.9 QUIET)
 if(DOXYGEN_FOUND)
   set(DOXYGEN_PROJECT_BRIEF "${PROJECT_DESCRIPTION}")
   set(DOXYGEN_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/docs)
-  set(DOXYGEN_USE_MDFILE_AS_MAINPAGE ${PROJECT_SOURCE_DIR}/README.md)
+  set(DOXYGEN_USE_MDFILE_AS_MAINPAGE ${PROJECT_SOURCE_DIR}/docs/README.md)
   set(DOXYGEN_STRIP_FROM_PATH ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR})
   set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/docs)
   set(DOXYGEN_FILE_PATTERNS *.hpp *.md)

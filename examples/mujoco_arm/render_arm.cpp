@@ -1,7 +1,8 @@
 // render_arm: where does the arm end up with a payload in its hand, without the estimator and with it?
 //
 // Reads the joint angles that an experiment has written, draws the last pose with the payload as a box, and around it
-// the outline of the pose that the arm began in. Offscreen: MuJoCo draws, EGL needs no display.
+// the outline of the pose that the arm began in; or with --film all poses, with the outline of where the arm would be
+// without a payload. Offscreen: MuJoCo draws, EGL needs no display.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <mujoco/mujoco.h>
@@ -30,6 +31,9 @@ constexpr std::size_t kWidth = 1280, kHeight = 1120;  // of one arm's view, befo
 constexpr Rgb kOutline = {0, 114, 178};
 constexpr std::size_t kStroke = 3;  // of the outline, half of it [pixels]
 
+constexpr double kRod = 0.1;                // how far the payload's box hangs below the flange in a film [m]
+constexpr double kBox = 0.13, kLid = 0.02;  // height of the heaviest payload's box, and of one that weighs nothing [m]
+
 constexpr const char* kUsage = R"(usage: rme_render_arm DIR [options]
 
 Draws DIR/equilibrium.png from DIR/equilibrium_without.csv and DIR/equilibrium_with.csv, which rme_figure9_equilibrium
@@ -37,6 +41,9 @@ Draws DIR/equilibrium.png from DIR/equilibrium_without.csv and DIR/equilibrium_w
 
   --mass KG         which payload (default: the heaviest)
   --com X,Y,Z       where its box is drawn, flange axes [m] (default 0.05,0.02,0.13)
+  --film RATE       instead, RATE pictures for each second of DIR/without.csv and DIR/with.csv, DIR/frames/0000.png and so
+                    on, which rme_animation --output DIR has written. The box is as high as the payload is heavy; the
+                    outline is DIR/nominal.csv's
   --help            this text
 )";
 
@@ -107,6 +114,28 @@ class Renderer {
     mjv_freeScene(&scene_);
   }
 
+  /// From now on the payload is a box at the end of its rod.
+  /// @param height  of the box [m]; 0 for an empty hand
+  void hold(double height) {
+    held_ = height > 0;
+    falling_.reset();
+    model_->geom_size[3 * payload_ + 2] = height / 2;
+    model_->geom_pos[3 * payload_ + 2] = kRod + height / 2;
+  }
+  /// From now on the hand is empty, and what it held with the arm at `q` [rad] is drawn on its way to the floor.
+  /// @param way  how far it has fallen [m]
+  void drop(const Vector& q, double way) {
+    show(q, false);
+    Falling box;
+    std::copy_n(model_->geom_size + 3 * payload_, 3, box.size.begin());
+    std::copy_n(data_->geom_xpos + 3 * payload_, 3, box.position.begin());
+    std::copy_n(data_->geom_xmat + 9 * payload_, 9, box.rotation.begin());
+    std::copy_n(model_->geom_rgba + 4 * payload_, 3, box.colour.begin());
+    box.position[2] = std::max(box.size[2], box.position[2] - way);
+    falling_ = box;
+    held_ = false;
+  }
+
   /// The arm with its payload at `end`, and its outline at `start` [rad].
   Picture draw(const Vector& start, const Vector& end) {
     Picture picture = render(end);
@@ -132,7 +161,8 @@ class Renderer {
   void show(const Vector& q, bool surroundings) {
     std::copy(q.begin(), q.end(), data_->qpos);
     mj_forward(model_.get(), data_.get());
-    for (const std::ptrdiff_t shape : {payload_, rod_}) model_->geom_rgba[4 * shape + 3] = surroundings ? 1 : 0;
+    for (const std::ptrdiff_t shape : {payload_, rod_})
+      model_->geom_rgba[4 * shape + 3] = surroundings && held_ ? 1 : 0;
     mjvOption option;
     mjv_defaultOption(&option);
     option.geomgroup[1] = surroundings;
@@ -144,6 +174,12 @@ class Renderer {
     camera.lookat[0] = 0.25;
     camera.lookat[2] = 0.36;
     mjv_updateScene(model_.get(), data_.get(), &option, nullptr, &camera, mjCAT_ALL, &scene_);
+    if (surroundings && falling_) {
+      mjvGeom& box = scene_.geoms[scene_.ngeom++];
+      mjv_initGeom(&box, mjGEOM_BOX, falling_->size.data(), falling_->position.data(), falling_->rotation.data(),
+                   falling_->colour.data());
+      box.category = mjCAT_DYNAMIC;
+    }
     scene_.flags[mjRND_SKYBOX] = surroundings;
     mjr_render(kView, &scene_, &context_);
   }
@@ -172,9 +208,17 @@ class Renderer {
     return shape;
   }
 
+  struct Falling {
+    std::array<mjtNum, 3> size, position;  // half of each edge, centre [m]
+    std::array<mjtNum, 9> rotation;
+    std::array<float, 4> colour = {0, 0, 0, 1};
+  };
+
   MujocoModel model_;
   MujocoData data_;
   std::ptrdiff_t payload_, rod_;  // numbers of these shapes
+  bool held_ = true;
+  std::optional<Falling> falling_;
   mjvScene scene_;
   mjrContext context_;
 };
@@ -203,19 +247,89 @@ Course read_course(const std::string& path, std::optional<double> mass) {
   return *course;
 }
 
-int run(Arguments& arguments) {
-  const std::optional<double> mass = arguments.number("--mass");
-  const std::vector<double> com = arguments.numbers("--com", 3).value_or(std::vector<double>{0.05, 0.02, 0.13});
-  const std::filesystem::path folder = arguments.positional("DIR");
-  arguments.finish();
-  const OffscreenContext context;
-  Renderer renderer(panda(), {com[0], com[1], com[2]});
+struct Instant {
+  double t, mass;  // [s], [kg]
+  Vector q;        // [rad]
+};
+
+std::vector<Instant> read_run(const std::filesystem::path& path) {
+  const std::string text = read_file(path.string());
+  CsvReader csv(text, path.string());
+  const std::size_t t = csv.at("t"), m = csv.at("m"), q1 = csv.at("q1");
+  std::vector<Instant> run;
+  while (csv.next()) {
+    run.push_back({csv.number(t), csv.number(m), Vector::Zero()});
+    for (std::size_t j = 0; j < 7; ++j) run.back().q[static_cast<int>(j)] = csv.number(q1 + j);
+  }
+  if (run.empty()) throw std::runtime_error(path.string() + ": no rows");
+  return run;
+}
+
+/// One run as pictures: what is in the hand, what falls out of it, and around the arm where it would be.
+class Film {
+ public:
+  Film(Renderer& renderer, std::vector<Instant> run, std::vector<Instant> nominal)
+      : renderer_(renderer), run_(std::move(run)), nominal_(std::move(nominal)) {
+    if (run_.size() != nominal_.size()) throw std::runtime_error("the runs of a film must have the same rows");
+    for (const Instant& instant : run_) heaviest_ = std::max(heaviest_, instant.mass);
+  }
+
+  double end() const { return run_.back().t; }  // [s]
+  /// The picture at `t` [s].
+  Picture at(double t) {
+    const auto later = [](double time, const Instant& instant) { return time < instant.t; };
+    const auto next = std::upper_bound(run_.begin(), run_.end(), t + 1e-9, later);
+    const auto now = next == run_.begin() ? next : next - 1;
+    // The last instant at which something was held, if that was before.
+    auto held = now;
+    while (held != run_.begin() && !(held->mass > 0)) --held;
+    renderer_.hold(held->mass > 0 ? kLid + (kBox - kLid) * held->mass / heaviest_ : 0);
+    const double fallen = now->t - held->t;
+    if (fallen > 0 && held->mass > 0)
+      renderer_.drop(held->q, fallen * fallen * rme::standard_gravity<double>().norm() / 2);
+    return renderer_.draw(nominal_[static_cast<std::size_t>(now - run_.begin())].q, now->q);
+  }
+
+ private:
+  Renderer& renderer_;
+  std::vector<Instant> run_, nominal_;
+  double heaviest_ = 0;  // [kg]
+};
+
+void draw_film(Renderer& renderer, const std::filesystem::path& folder, double rate) {
+  const std::vector<Instant> nominal = read_run(folder / "nominal.csv");
+  Film without(renderer, read_run(folder / "without.csv"), nominal);
+  Film with(renderer, read_run(folder / "with.csv"), nominal);
+  std::filesystem::create_directories(folder / "frames");
+  for (int frame = 0; frame / rate <= without.end(); ++frame) {
+    std::array<char, 16> name{};
+    std::snprintf(name.data(), name.size(), "%04d.png", frame);
+    without.at(frame / rate).beside(with.at(frame / rate)).write_png((folder / "frames" / name.data()).string());
+  }
+}
+
+void draw_equilibrium(Renderer& renderer, const std::filesystem::path& folder, std::optional<double> mass) {
   const auto draw = [&](const char* name) {
     const Course course = read_course((folder / name).string(), mass);
     return renderer.draw(course.start, course.end);
   };
   const Picture without = draw("equilibrium_without.csv");
   without.beside(draw("equilibrium_with.csv")).write_png((folder / "equilibrium.png").string());
+}
+
+int run(Arguments& arguments) {
+  const std::optional<double> mass = arguments.number("--mass"), film = arguments.number("--film");
+  const std::vector<double> com = arguments.numbers("--com", 3).value_or(std::vector<double>{0.05, 0.02, 0.13});
+  const std::filesystem::path folder = arguments.positional("DIR");
+  arguments.finish();
+  if (film && !(*film > 0 && *film <= 100))
+    throw ArgumentError("--film: must be above 0 and at most 100 pictures a second");
+  const OffscreenContext context;
+  Renderer renderer(panda(), {com[0], com[1], com[2]});
+  if (film)
+    draw_film(renderer, folder, *film);
+  else
+    draw_equilibrium(renderer, folder, mass);
   return 0;
 }
 

@@ -57,3 +57,21 @@ with tempfile.TemporaryDirectory() as name:
 
     missing = run_with("--mass", "9")
     assert missing.returncode == 3 and "nothing of this mass" in missing.stderr
+
+    # A film: the payload gets heavier, and falls in the end.
+    film = "t,m,q1,q2,q3,q4,q5,q6,q7\n" + "".join(
+        f"{0.1 * i},{m},{READY}\n" for i, m in enumerate((0, 0.5, 1.5, 0, 0)))
+    for run in ("nominal", "without", "with"):
+        (folder / f"{run}.csv").write_text(film, encoding="utf-8")
+    ended = run_with("--film", "10")
+    assert ended.returncode == 0, ended.stderr
+    boxes = []
+    for i in range(5):
+        picture = matplotlib.image.imread(folder / "frames" / f"{i:04}.png")[:, :, :3]
+        red, green, blue = (picture[:, :, j] for j in range(3))
+        boxes.append((red > 3 * blue) & (red > 1.5 * green))
+    assert len(list((folder / "frames").iterdir())) == 5
+    assert not boxes[0].any(), "an empty hand holds nothing"
+    assert centre(boxes[2])[2] > 1.5 * centre(boxes[1])[2] > 500, "what is heavier is drawn larger"
+    assert centre(boxes[4])[0] > centre(boxes[3])[0] + 5 > centre(boxes[2])[0] + 10, "what was dropped falls"
+    assert run_with("--film", "0").returncode == 2

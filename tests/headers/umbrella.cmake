@@ -1,8 +1,9 @@
-# rme/rme.hpp brings every header but the JSON ones, directly or through another.
+# rme/rme.hpp brings every header but the JSON ones, directly or through another. rme/version.hpp is for whoever asks before
+# anything else is included, and stands alone.
 cmake_minimum_required(VERSION 3.22)
 file(GLOB_RECURSE headers RELATIVE ${INCLUDE} ${INCLUDE}/*.hpp)
 set(pending rme/rme.hpp)
-set(reached "")
+set(reached rme/version.hpp)
 while(pending)
   list(POP_FRONT pending header)
   list(APPEND reached ${header})

@@ -1,4 +1,4 @@
-# What the packaging files say of the version and the dependencies is what CMakeLists.txt says.
+# What the other files say of the version and the dependencies is what CMakeLists.txt says.
 cmake_minimum_required(VERSION 3.22)
 file(READ ${SOURCE}/CMakeLists.txt project)
 string(REGEX MATCH "project\\(rme VERSION ([0-9.]+)" found "${project}")
@@ -35,6 +35,30 @@ extract(package.xml "<build_type>([^<]*)</build_type>" ros_build_type)
 expect("package.xml: build type" "${ros_build_type}" cmake)
 extract(CITATION.cff "\nversion: ([0-9.]+)" citation_version)
 expect("CITATION.cff: version" "${citation_version}" "${version}")
+
+# The header says it in four places.
+set(header include/rme/version.hpp)
+string(REPLACE "." ";" parts "${version}")
+list(GET parts 0 major)
+list(GET parts 1 minor)
+list(GET parts 2 patch)
+math(EXPR number "10000 * ${major} + 100 * ${minor} + ${patch}")
+foreach(pair "#define RME_VERSION|${number}" "kVersionMajor =|${major}" "kVersionMinor =|${minor}" "kVersionPatch =|${patch}"
+             "kVersion =|\"${version}\"")
+  string(REPLACE "|" ";" pair "${pair}")
+  list(GET pair 0 name)
+  list(GET pair 1 expected)
+  extract(${header} "${name} ([0-9.\"]+)" found)
+  expect("${header}: ${name}" "${found}" "${expected}")
+endforeach()
+
+# Whoever copies the README asks for this version, and the changelog begins with it.
+foreach(file README.md tests/package/json/CMakeLists.txt)
+  extract(${file} "find_package\\(rme ([0-9.]+) " asked)
+  expect("${file}: find_package(rme" "${asked}" "${major}.${minor}")
+endforeach()
+extract(docs/CHANGELOG.md "\n## ([0-9.]+)" newest)
+expect("docs/CHANGELOG.md: newest version" "${newest}" "${version}")
 
 # The oldest dependencies that are allowed are the same everywhere.
 foreach(pair "Eigen3|eigen" "nlohmann_json|nlohmann_json")

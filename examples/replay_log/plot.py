@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Draws what `replay_log LOG --json` has printed: what was believed at each instant of a log.
+
+    replay_log LOG.csv ... --json > beliefs.json
+    python3 plot.py beliefs.json [PICTURE]
+
+Above, the mass with its 90 % interval, and the true one where the log has it; in the middle, what is going on; below, the
+health: 1 if the arm does what model and payload say.
+"""
+import argparse
+import json
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+BELIEVED, TRUTH = "#0072b2", "#5c6673"
+HYPOTHESES = {"empty": "#d9dde1", "steady": "#0072b2", "filling": "#56b4e9", "exchanged": "#009e73", "pushed": "#d55e00"}
+DEVIATIONS = 1.645  # of a 90 % interval
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        beliefs = [entry for entry in map(json.loads, file) if entry["type"] == "estimate"]
+    if not beliefs:
+        raise ValueError(f"{path}: no estimates")
+    return beliefs
+
+
+def draw(beliefs, picture):
+    t, mass, deviation = (np.array(column) for column in zip(*((b["t"], b["mass"], b["std"][0]) for b in beliefs)))
+    plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False})
+    figure, (above, middle, below) = plt.subplots(
+        3, 1, figsize=(7.2, 5), sharex=True, constrained_layout=True, gridspec_kw={"height_ratios": (3, 1.3, 1)}
+    )
+    if all(b["truth"] for b in beliefs):
+        above.plot(t, [b["truth"][0] for b in beliefs], color=TRUTH, linewidth=3, alpha=0.35, label="true mass")
+    low, high = mass - DEVIATIONS * deviation, mass + DEVIATIONS * deviation
+    above.fill_between(t, np.maximum(low, 0), high, color=BELIEVED, alpha=0.25, linewidth=0, label="90 % interval")
+    above.plot(t, mass, color=BELIEVED, linewidth=1.2, label="believed")
+    above.set_ylabel("mass [kg]")
+    above.set_ylim(0, 1.3 * max(mass.max(), 1e-3))
+    above.legend(frameon=False, loc="upper left", ncol=3)
+    shares = [[b["probability"][name] for b in beliefs] for name in HYPOTHESES]
+    middle.stackplot(t, shares, colors=list(HYPOTHESES.values()), labels=list(HYPOTHESES))
+    middle.set_ylabel("probability")
+    middle.set_ylim(0, 1)
+    middle.legend(frameon=False, loc="lower left", bbox_to_anchor=(0, 1), ncol=len(HYPOTHESES), fontsize=8)
+    below.semilogy(t, [b["health"] for b in beliefs], color=TRUTH, linewidth=1)
+    below.axhline(1, color="0.8", linewidth=0.8)
+    below.set_ylim(0.09, 110)
+    below.set_ylabel("health")
+    below.set_xlabel("time [s]")
+    figure.savefig(picture, dpi=130)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("beliefs", type=pathlib.Path)
+    parser.add_argument("picture", type=pathlib.Path, nargs="?")
+    arguments = parser.parse_args()
+    picture = arguments.picture or arguments.beliefs.with_suffix(".png")
+    try:
+        draw(read(arguments.beliefs), picture)
+    except (OSError, ValueError, KeyError) as error:
+        sys.exit(f"plot.py: {error}")
+    print(picture)
+
+
+if __name__ == "__main__":
+    main()
