@@ -18,12 +18,11 @@ namespace rme {
 ///     min   1/2 (x - x_u)^T Q (x - x_u) + sum_soft w_i s_i^2
 ///     s.t.  l_i <= a_i x <= u_i (+- s_i),   x_min <= x <= x_max
 ///
-/// from the inverse P = Q^-1 = B^T B alone (docs/theory_control.md, the dual method). With signed active normals n_k
-/// the optimum is x = x_u + P sum_k lambda_k n_k, where S lambda = d, S_kl = n_k^T P n_l + delta_kl c_k and c_k = 1 /
-/// (2 w_k), 0 if hard: one row gives the paper's closed form (26), (27), several the method of [Goldfarb & Idnani
-/// 1983]. S is never formed: an orthogonal factorisation of the B n_k costs the root of its condition only, which is
-/// what makes float sufficient. No feasible row costs more than its check. The next solve starts from this one's active
-/// set.
+/// from the inverse P = Q^-1 = B^T B alone (docs/theory_control.md (C8, C9)). With signed active normals n_k the
+/// optimum is x = x_u + P sum_k lambda_k n_k, where S lambda = d, S_kl = n_k^T P n_l + delta_kl c_k and c_k = 1 / (2
+/// w_k), 0 if hard: one row gives the paper's closed form (26), (27), several the method of [Goldfarb & Idnani 1983]. S
+/// is never formed: an orthogonal factorisation of the B n_k costs the root of its condition only, which is what makes
+/// float sufficient. No feasible row costs more than its check. The next solve starts from this one's active set.
 ///
 /// Ok says that every row and the box hold, the active ones included: each is looked at in the x that is returned, and
 /// none is missed by more than kTolerance (|a| (|x| + |x_u|) + |bound|), a soft one by more than that beyond its slack.

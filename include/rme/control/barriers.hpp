@@ -12,9 +12,10 @@
 
 namespace rme {
 
-/// The gains of a barrier as the poles of h'' + k_2 h' + k_1 h = 0: k_1 = p_1 p_2, k_2 = p_1 + p_2. Two real, stable
-/// poles are what the guarantee needs: from h >= 0 and h' >= -p h for one of the poles, h never becomes negative. The
-/// slower pole says how early the arm brakes: from speed v at a distance of v / p, decelerating with p v at most.
+/// The gains of a barrier as the poles of h'' + k_2 h' + k_1 h = 0: k_1 = p_1 p_2, k_2 = p_1 + p_2
+/// (docs/theory_control.md (C10)). Two real, stable poles are what the guarantee needs: from h >= 0 and h' >= -p h for
+/// one of the poles, h never becomes negative. The slower pole says how early the arm brakes: from speed v at a
+/// distance of v / p, decelerating with p v at most.
 template <typename Scalar>
 class BarrierPoles {
  public:
@@ -30,7 +31,7 @@ class BarrierPoles {
   ///     k_1 = p (1 - e^-sT) / D,    k_2 = (1 - e^-sT + p T) / D
   ///
   /// From h >= 0 and h' >= -p h at one tick, h'' >= -k_1 h - k_2 h' over the period keeps both at the next and h >= 0
-  /// in between, exactly (docs/theory_control.md, sampled barriers). As T vanishes these are the gains above.
+  /// in between, exactly (docs/theory_control.md (C13)). As T vanishes these are the gains above.
   /// @param period  T [s], > 0, at most 2 / p
   /// @throws std::invalid_argument for another period
   BarrierPoles sampled(Scalar period) const {
@@ -59,7 +60,8 @@ struct BarrierValue {
   Scalar curvature;                    ///< dq^T hess_q h dq [u/s^2]
 };
 
-/// Appends grad_h^T ddq >= -k_1 h - k_2 grad_h^T dq - dq^T hess_h dq + e [RME, Eq. 19, 20].
+/// Appends grad_h^T ddq >= -k_1 h - k_2 grad_h^T dq - dq^T hess_h dq + e [RME, Eq. 19, 20; docs/theory_control.md
+/// (C11)].
 /// @param weight  of a soft barrier; a miss of the row by s [u/s^2] costs weight * s^2
 /// @param error   of the acceleration that the row will be held for; e is the most that it can take off grad_h^T ddq
 /// @return see ConstraintRows::add; Infeasible: the gradient is zero, and no acceleration gives what the barrier asks
@@ -73,7 +75,7 @@ Status add_barrier(const BarrierValue<Scalar, Dofs>& barrier, const JointVector<
   return rows.add(barrier.gradient, bound, rows.kFree, weight);
 }
 
-/// A point of the arm in motion, world axes.
+/// A point of the arm in motion, world axes: what half_space() and sphere() need (docs/theory_control.md (C12)).
 template <typename Scalar, int Dofs>
 struct PointMotion {
   Vector3<Scalar> position;                 ///< x [m]

@@ -55,9 +55,10 @@ struct CpicInput {
 ///     min  |W (J^+T tau - F_c)|^2 + eps |N (tau - tau_0)|^2,   W = diag(1, 1, 1, 1/l, 1/l, 1/l)
 ///     s.t. lower_i <= grad_i^T ddq <= upper_i,   M ddq = tau - h,   |tau + other_torque| <= torque_limit
 ///
-/// [RME, Eq. 21 to 27, for redundant arms; docs/theory_control.md]. The unconstrained answer is J^T F_c + N tau_0; the
-/// inverse of the cost's Hessian is (J^T W^-2 J + N / eps) / 2, of which a root is known without factorising it. Rows
-/// come from barriers.hpp or the host, in the same order each tick, so that the last active set is a good first guess.
+/// [RME, Eq. 21 to 27, for redundant arms; docs/theory_control.md (C1 to C6)]. The unconstrained answer is J^T F_c + N
+/// tau_0; the inverse of the cost's Hessian is (J^T W^-2 J + N / eps) / 2, of which a root is known without factorising
+/// it. Rows come from barriers.hpp or the host, in the same order each tick, so that the last active set is a good
+/// first guess.
 ///
 /// Near singular poses N is damped (null_space.hpp): the torques that J is about to lose become cheap to use for the
 /// constraints, and N tau_0 may then disturb the hand a little, |J N| <= lambda / 2. J^T F_c needs no inverse, hence no
@@ -144,8 +145,8 @@ void Cpic<Scalar, Dofs, MaxRows>::reset() noexcept {
   acceleration_.setZero();
 }
 
-/// B with B^T B = (J^T W^-2 J + N / eps) / 2: the rows of W^-1 J and of Z^T / sqrt(eps), N = Z Z^T, over sqrt(2). Near
-/// singular poses these are six more than joints, and a QR factorisation leaves as many.
+/// B with B^T B = (J^T W^-2 J + N / eps) / 2 (docs/theory_control.md (C6)): the rows of W^-1 J and of Z^T / sqrt(eps),
+/// N = Z Z^T, over sqrt(2). Near singular poses these are six more than joints, and a QR factorisation leaves as many.
 template <typename Scalar, int Dofs, int MaxRows>
 auto Cpic<Scalar, Dofs, MaxRows>::cost_root(const Jacobian<Scalar, Dofs>& jacobian,
                                             const NullSpace<Scalar, Dofs>& null_space) const noexcept ->

@@ -19,7 +19,7 @@ struct EnergyTankConfig {
 /// Optional, for the compensation torque. While the estimate is constant, right or wrong, that torque is the gradient
 /// of a potential U(theta, q) = m g.(p + R r) (compensation_potential) and gives back on the way down what it gave on
 /// the way up; what can feed a motion is an estimate that changes while the arm moves. The tank pays for that part
-/// only, the energy that the scaled torque puts in less what U has lost:
+/// only, the energy that the scaled torque puts in less what U has lost (docs/theory_control.md (C20)):
 ///
 ///     share = min(1, E / reserve),    E <- E + refill dt - (share power dt + change of (share U)),    E <= capacity
 ///
@@ -27,7 +27,7 @@ struct EnergyTankConfig {
 ///
 ///     initial + refill t + max |U|
 ///
-/// since an empty hand (docs/theory_control.md, compensation), where max |U| is the largest potential that the
+/// since an empty hand (docs/theory_control.md, "Compensation"), where max |U| is the largest potential that the
 /// estimates had: 12 J for 1.2 kg within a metre of the point from which p is counted. Energy tanks: Ferraguti et al.,
 /// ICRA 2013. E falls below zero, to -max |U| at worst, where the estimate of an object vanishes above the place where
 /// it appeared. The share is continuous where U and power are; with an empty tank the payload is not carried, and the

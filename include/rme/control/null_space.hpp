@@ -22,11 +22,11 @@ struct NullSpaceConfig {
   Scalar damping = Scalar(0.02);  ///< lambda_0 > 0 at a singular pose, in the unit of J's singular values
 };
 
-/// The projector N = I - J^T (J J^T + lambda^2 I)^-1 J onto joint torques without a wrench (docs/theory_control.md, the
-/// metric of CPIC). Away from singular poses lambda = 0: N is exactly the orthogonal projector onto the null space of
-/// J, zero for six joints. Where the clearance sigma falls below sigma_0, lambda = lambda_0 (1 - (sigma / sigma_0)^2):
-/// the directions in which J is about to lose a wrench then count partly as null space, J N != 0, and N stays bounded
-/// and a continuous function of J, with eigenvalues in [0, 1].
+/// The projector N = I - J^T (J J^T + lambda^2 I)^-1 J onto joint torques without a wrench (docs/theory_control.md
+/// (C7)). Away from singular poses lambda = 0: N is exactly the orthogonal projector onto the null space of J, zero for
+/// six joints. Where the clearance sigma falls below sigma_0, lambda = lambda_0 (1 - (sigma / sigma_0)^2): the
+/// directions in which J is about to lose a wrench then count partly as null space, J N != 0, and N stays bounded and a
+/// continuous function of J, with eigenvalues in [0, 1].
 ///
 /// @tparam Dofs  number of joints, >= 6
 template <typename Scalar, int Dofs>

@@ -17,7 +17,7 @@ struct DirectionalDamping {
   Scalar blend;   ///< f_0 > 0: below this speed the two merge, since f = 0 has no direction
 };
 
-/// D = lambda_2 I + (lambda_1 - lambda_2) f f^T / (|f|^2 + f_0^2).
+/// D = lambda_2 I + (lambda_1 - lambda_2) f f^T / (|f|^2 + f_0^2) (docs/theory_control.md (C15)).
 ///
 /// For |f| >> f_0 it is V diag(lambda_1, lambda_2, lambda_2) V^T with the first axis of V along f [RME, Eq. 32]; the
 /// two equal eigenvalues make the other axes immaterial, so none has to be chosen. At f = 0 it is lambda_2 I. It is a
@@ -37,11 +37,11 @@ struct PassiveControllerConfig {
   DirectionalDamping<Scalar> angular = {Scalar(6), Scalar(6), Scalar(0.01)};   ///< [N m s/rad], same, [rad/s]
 };
 
-/// F_c = lambda_1 f(x) - D(x) xdot, for position and orientation alike.
+/// F_c = lambda_1 f(x) - D(x) xdot (docs/theory_control.md (C16)), for position and orientation alike.
 ///
 /// The paper writes -D (xdot - f) [RME, Eq. 31]; its proof needs D f = lambda_1 f (Eq. 33), which holds exactly only
 /// while f has a direction. Written this way it holds always: with the storage function S of storage(), dS/dt = xdot^T
-/// F_ext - xdot^T D xdot + injected_power() without exception (docs/theory_control.md, passivity).
+/// F_ext - xdot^T D xdot + injected_power() without exception (docs/theory_control.md (C17)).
 template <typename Scalar>
 class PassiveController {
  public:

@@ -17,9 +17,10 @@ Scalar kinetic_energy(const JointMatrix<Scalar, Dofs>& mass_matrix, const JointV
 }
 
 /// Keeps the books of the storage function S = kinetic + lambda_1 V [RME, Eq. 34] and of the power supplied to the
-/// system from outside. Passive means that S grows by no more than what was supplied [RME, Eq. 35]: residual() never
-/// rises, but for the error of integrating the power by the trapezoidal rule and of holding the torque for a tick, both
-/// of which vanish with the period. The sum is a compensated one: in float as well, hours of ticks lose nothing.
+/// system from outside. Passive means that S grows by no more than what was supplied [RME, Eq. 35;
+/// docs/theory_control.md (C17)]: residual() never rises, but for the error of integrating the power by the trapezoidal
+/// rule and of holding the torque for a tick, both of which vanish with the period. The sum is a compensated one: in
+/// float as well, hours of ticks lose nothing.
 ///
 /// What to count as supplied is the host's choice of port: the external wrench's power, xdot^T (F_ext + dF_mm); with
 /// PassiveController also its injected_power(), and dq^T of every torque beside J^T F_c: null space, constraint forces.

@@ -25,8 +25,8 @@ struct PayloadUncertaintyConfig {
 };
 
 /// Turns a belief about the payload into what CPIC's prediction is to contain and what its rows have to allow for
-/// (docs/theory_control.md, the payload in the constraints). With tau_p(theta) the payload's static torque and A its
-/// derivative by theta at the mean,
+/// (docs/theory_control.md (C14)). With tau_p(theta) the payload's static torque and A its derivative by theta at the
+/// mean,
 ///
 ///     mean torque  tau_p(mean)              into CpicInput::bias, with its sign turned
 ///     error_j      k sqrt(a_j Sigma a_j^T),  a_j = row j of M^-1 A

@@ -19,7 +19,7 @@ struct Payload {
   }
 };
 
-/// Wrench of a payload at rest on the end effector, w = [ m g ; (R r) x (m g) ] (docs/theory.md, payload wrench).
+/// Wrench of a payload at rest on the end effector, w = [ m g ; (R r) x (m g) ] (docs/theory.md (T1)).
 /// @param rotation  R, end-effector axes to world axes
 /// @param gravity   g [m/s^2], world axes
 template <typename Scalar>

@@ -5,7 +5,7 @@
 
 namespace rme {
 
-/// Log-likelihood of theta = (m, r), up to a constant (docs/theory.md, "The model is bilinear"):
+/// Log-likelihood of theta = (m, r), up to a constant (docs/theory.md (T3)):
 ///
 ///     L(theta) = -1/2 [ yy - 2 m (ya + yB . r) + m^2 (aa + 2 aB . r + r^T BB r) ]
 ///

@@ -27,7 +27,7 @@ struct PayloadRegressor {
   }
 };
 
-/// Regressor of a payload at rest: a = J_v^T g, B = -J_w^T [g]x R (docs/theory.md, "The model is bilinear").
+/// Regressor of a payload at rest: a = J_v^T g, B = -J_w^T [g]x R (docs/theory.md (T2)).
 /// @param jacobian  6 x Dofs, world axes, linear rows first
 /// @param rotation  R, end-effector axes to world axes
 /// @param gravity   g [m/s^2], world axes
@@ -46,7 +46,7 @@ PayloadRegressor<Scalar, Dofs> payload_regressor(const Jacobian<Scalar, Dofs>& j
 ///
 /// with a_o the origin's acceleration. n is quadratic in r through the point mass's own inertia, (R r) x (W R r): the
 /// six columns of Q. A body's inertia about its own centre adds k^2 alpha per kilogram for a radius of gyration k.
-/// docs/theory.md, "Motion".
+/// docs/theory.md (T4, T5).
 /// @param gyration_radius  k [m], of the payload about its centre of mass, taken as the same about every axis
 template <typename Scalar, int Dofs>
 PayloadRegressor<Scalar, Dofs> payload_regressor(const Jacobian<Scalar, Dofs>& jacobian,

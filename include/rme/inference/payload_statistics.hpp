@@ -84,8 +84,7 @@ class PayloadStatistics {
     Scalar log_factor;  ///< -1/2 log det of the nuisances' posterior over prior precision
   };
 
-  /// With precision w per sample and beta ~ N(mu, Lambda), by Woodbury (docs/theory.md, "Faults that do not average
-  /// out")
+  /// With precision w per sample and beta ~ N(mu, Lambda), by Woodbury (docs/theory.md (T35)):
   ///
   ///     w G_uu - w^2 G_un (Lambda^-1 + w G_nn)^-1 G_nu
   ///

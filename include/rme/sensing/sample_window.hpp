@@ -37,8 +37,7 @@ struct Sample {
 ///
 /// The observer's lag: r_k = r_k-1 + K dt (tau_k - r_k-1) is inverted, tau_k = r_k-1 + (r_k - r_k-1) / (K dt). That is
 /// the same information as passing the payload's model through the filter (the two differ by an invertible map), but it
-/// needs no instant at which the filter started, and white sensor noise comes out white (docs/theory.md, "Matching the
-/// observer").
+/// needs no instant at which the filter started, and white sensor noise comes out white (docs/theory.md (T8)).
 ///
 /// Unless the host says how the flange moves, its acceleration is the backward difference of J dq: that belongs to the
 /// same period as tau_k.

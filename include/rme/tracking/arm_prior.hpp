@@ -58,8 +58,9 @@ struct PayloadPrior {
     return phi;
   }
   /// Covariance of phi, lower triangular factor. The moments of m r for a mass that is known roughly: with r
-  /// independent of m, cov(m, m r) = r0 var(m) and cov(m r) = r0 r0^T var(m) + Sigma_r E[m^2]; of E[m^2] a better
-  /// guess than the prior's is wanted, or the centre of mass of a light object would be all but free.
+  /// independent of m, cov(m, m r) = r0 var(m) and cov(m r) = r0 r0^T var(m) + Sigma_r E[m^2] (docs/theory.md (T13));
+  /// of E[m^2] a better guess than the prior's is wanted, or the centre of mass of a light object would be all but
+  /// free.
   /// @param square_mass  E[m^2] [kg^2], > 0
   InertialMatrix<Scalar> factor(Scalar square_mass) const noexcept {
     using std::sqrt;

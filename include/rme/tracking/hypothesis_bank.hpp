@@ -31,7 +31,7 @@ class HypothesisBank {
   HypothesisBank(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm, const PayloadPrior<Scalar>& payload,
                  Scalar rated_payload) noexcept;
 
-  /// Starts a block.
+  /// Starts a block: probabilities before it is looked at (docs/theory.md (T19)).
   /// @param exchange_likely  the host says that the payload changes now
   /// @param kind_likely      the arm may well have this kind of torque sensing
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime, bool exchange_likely,
@@ -39,14 +39,14 @@ class HypothesisBank {
   /// Mixes, predicts and updates one hypothesis, the one that comes `step`th, 0 .. kHypotheses - 1: first the likeliest
   /// one that needs no event. If that explains the block, most others are out of the question.
   void evaluate(std::size_t step) noexcept;
-  /// Ends a block: new probabilities, and what the noise has been learned to be.
+  /// Ends a block: new probabilities (docs/theory.md (T21)), and what the noise has been learned to be.
   /// @return log p(block | all blocks before) [nats], up to a constant that all banks share
   Scalar finish() noexcept;
 
   Scalar probability(Hypothesis h) const noexcept { return probability_[h]; }
   const Star& star(Hypothesis h) const noexcept { return stars_[index(h)]; }
   /// e^T S^-1 e per joint of the likeliest hypothesis that is neither an exchange nor a push, at the last block: 1 on
-  /// average if the arm does what the model says.
+  /// average if the arm does what the model says (docs/theory.md (T26)).
   Scalar innovation_squared() const noexcept { return innovation_squared_; }
   const SensorNoise<Scalar, Dofs>& noise() const noexcept { return model_.noise(); }
 
@@ -267,7 +267,8 @@ auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const
   return change ? before_ : stars_[from];
 }
 
-/// What the filters said of the nuisances and the payload before this block, as far as each leads to `h`.
+/// What the filters said of the nuisances and the payload before this block, as far as each leads to `h`
+/// (docs/theory.md (T20)).
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
   const bool anew = h == Hypothesis::Empty || h == Hypothesis::Exchanged;  // whatever the payload was before

@@ -10,7 +10,7 @@
 namespace rme {
 
 /// phi = (m, m r_x, m r_y, m r_z, I_xx, I_xy, I_xz, I_yy, I_yz, I_zz), in [kg, kg m, kg m^2]: end-effector axes, I
-/// about the end-effector origin.
+/// about the end-effector origin (docs/theory.md (T10)).
 inline constexpr int kInertial = 10;
 template <typename Scalar>
 using InertialVector = Eigen::Matrix<Scalar, kInertial, 1>;
@@ -83,7 +83,7 @@ struct InertialParameters {
 ///
 ///     f = m s - (alpha x + omega x omega x) m r,   n = m r x s - I alpha - omega x I omega,   s = g - a
 ///
-/// with a the origin's acceleration (docs/theory.md, "Ten parameters").
+/// with a the origin's acceleration (docs/theory.md (T11, T12)).
 /// @param rotation  R, end-effector axes to world axes
 /// @param gravity   g [m/s^2], world axes
 template <typename Scalar>

@@ -11,7 +11,8 @@
 
 namespace rme {
 
-/// Learned from innovations of blocks in which nothing happens.
+/// Learned from innovations of blocks in which nothing happens (docs/theory.md, "Noise and residual"; the noise is
+/// (T23)).
 ///
 /// Noise, per joint: half the mean square of the difference of two innovations in a row. Whatever lasts longer than a
 /// block, be it an offset, friction, or a residual, cancels in it.

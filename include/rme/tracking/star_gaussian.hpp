@@ -25,7 +25,7 @@ using JointNuisanceVector = Eigen::Matrix<Scalar, kJointNuisances, 1>;
 template <typename Scalar>
 using JointNuisanceMatrix = Eigen::Matrix<Scalar, kJointNuisances, kJointNuisances>;
 
-/// y = h^T phi + c^T beta_j + noise: the torque of one joint, averaged over a block of samples.
+/// y = h^T phi + c^T beta_j + noise: the torque of one joint, averaged over a block of samples (docs/theory.md (T14)).
 template <typename Scalar>
 struct JointObservation {
   Scalar torque;                  ///< y [N m]
@@ -41,7 +41,8 @@ struct JointObservation {
 ///
 /// A joint's torque says something of phi and of its own beta alone, so that observe() keeps this form exactly, at a
 /// fifth of what a dense covariance costs. replace_payload(), diffuse() and mix() would couple the joints: each gives
-/// the nearest star, which has the right moments of phi and every beta_j, pair by pair (docs/theory.md, "The star").
+/// the nearest star, which has the right moments of phi and every beta_j, pair by pair (docs/theory.md, "The star"; the
+/// form is (T15)).
 ///
 /// F is a square root of the covariance and is updated as such (Potter's form: Maybeck, Stochastic Models, Estimation,
 /// and Control 1, 7.3), so that the covariance cannot lose its positive definiteness to rounding, in float either.
@@ -102,6 +103,7 @@ class StarGaussian {
     Beta nuisance_spread;      ///< V_j c
     Scalar conditional_error;  ///< y - c^T b_j
   };
+  /// What is expected of the torque of joint j (docs/theory.md (T16)).
   Prediction predict(int j, const JointObservation<Scalar>& o) const noexcept {
     const Joint& joint = this->joint(j);
     Prediction p;
@@ -119,7 +121,7 @@ class StarGaussian {
     p.innovation = p.conditional_error - detail::dot(p.gain_row, mean_);
     return p;
   }
-  /// Takes the observation in. `p` is what predict() said of it.
+  /// Takes the observation in (docs/theory.md (T17, T18)). `p` is what predict() said of it.
   void observe(int j, const Prediction& p) noexcept {
     using std::sqrt;
     Joint& joint = this->joint(j);

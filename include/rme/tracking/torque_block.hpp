@@ -33,13 +33,13 @@ struct TorqueBlock {
 ///
 /// The observer's lag: r_k = r_k-1 + b (tau_k - r_k-1) is inverted, tau_k = r_k-1 + (r_k - r_k-1) / b. White noise of
 /// the sensor comes out white, and what quantisation, delay or a bandwidth that is said wrongly do to single samples
-/// cancels within a block but for its two ends (docs/theory.md, "Matching the observer").
+/// cancels within a block but for its two ends (docs/theory.md (T8)).
 ///
-/// Torque and acceleration are averaged with the same weights, 6 s (1 - s) over the block: the average of differences
-/// of J dq is then the least-squares slope of J dq, which is as little noise of dq as a straight line lets through, and
-/// the torque is the one that belongs to it. A block lasts 20 ms, and up to 60 ms where dq is noisy: the payload's
-/// torque is regressed on this acceleration, and errors of a regressor do not average out, they make the payload look
-/// lighter.
+/// Torque and acceleration are averaged with the same weights, 6 s (1 - s) over the block (docs/theory.md (T9)): the
+/// average of differences of J dq is then the least-squares slope of J dq, which is as little noise of dq as a straight
+/// line lets through, and the torque is the one that belongs to it. A block lasts 20 ms, and up to 60 ms where dq is
+/// noisy: the payload's torque is regressed on this acceleration, and errors of a regressor do not average out, they
+/// make the payload look lighter.
 ///
 /// Periods may vary, and samples may be missing: the time between two samples is what counts. Real time: add() is
 /// O(Dofs), and O(10 Dofs) on the last sample of each part; nothing allocates.
