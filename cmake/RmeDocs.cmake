@@ -13,9 +13,8 @@ if(DOXYGEN_FOUND)
   set(DOXYGEN_BUILTIN_STL_SUPPORT YES)
   set(DOXYGEN_HAVE_DOT NO)
   set(DOXYGEN_QUIET YES)
-  # Aliases and getters whose name says it all need no sentence; what is written must be right.
-  set(DOXYGEN_WARN_IF_UNDOCUMENTED NO)
-  set(DOXYGEN_WARN_IF_INCOMPLETE_DOC NO)
+  set(DOXYGEN_WARN_IF_UNDOCUMENTED YES)
+  set(DOXYGEN_WARN_IF_INCOMPLETE_DOC YES)  # whoever describes one parameter describes all
   set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)
   doxygen_add_docs(docs_html ${PROJECT_SOURCE_DIR}/include/rme ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/README.md)
   add_test(NAME docs.doxygen COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target docs_html)

@@ -33,10 +33,11 @@ class Estimator {
   static_assert(Dofs >= 1, "Estimator: an arm has joints");
 
  public:
-  using Config = EstimatorConfig<Scalar, Dofs>;
-  using Torque = JointVector<Scalar, Dofs>;
+  using Config = EstimatorConfig<Scalar, Dofs>;  ///< settings
+  using Torque = JointVector<Scalar, Dofs>;      ///< [N m]
 
-  /// @param dt  nominal control period [s], above 0 and at most 0.02
+  /// @param dt      nominal control period [s], above 0 and at most 0.02
+  /// @param config  what the estimator cannot find out by itself
   /// @throws std::invalid_argument naming the field out of range
   explicit Estimator(double dt, const Config& config = Config());
 
@@ -57,6 +58,7 @@ class Estimator {
   /// @param payload  mass [kg] and centre of mass [m], end-effector axes; finite, covariance positive semidefinite
   /// @return Ok; NonFiniteInput: then nothing is changed
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept;
+  /// What is in the hand changes now: for 0.3 s an exchange is as likely as all else.
   void trigger() noexcept { expected_ = kExpected; }
   /// While true nothing is learned, and what is held stays what it is: for contact that the host knows about. If its
   /// weight is missing, compensation is cut all the same, since it may have been dropped. Afterwards
@@ -66,7 +68,7 @@ class Estimator {
     inhibited_ = inhibited;
   }
 
-  const Config& config() const noexcept { return config_; }
+  const Config& config() const noexcept { return config_; }  ///< as constructed
   /// As constructed: what was learned of the arm is forgotten, too.
   void reset() noexcept { *this = Estimator(dt_, config_); }
 

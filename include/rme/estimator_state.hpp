@@ -27,10 +27,11 @@ struct EstimatorState {
   /// Normalised innovation squared over the last second: 1 if the arm does what its model and this payload say, above
   /// 10 if not; 100 at most.
   Scalar health = Scalar(1);
-  std::array<Scalar, kSensings> sensing{};      ///< probability of each kind of torque sensing (Sensing), sum one
-  bool changing = false;                        ///< an event is going on
-  double change_onset = 0, change_noticed = 0;  ///< of the event that is going on
-  Event event;                                  ///< the last one that is over
+  std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing (Sensing), sum one
+  bool changing = false;                    ///< an event is going on
+  double change_onset = 0;                  ///< when the event that is going on began
+  double change_noticed = 0;                ///< when that was known
+  Event event;                              ///< the last one that is over
 
   /// Whether nothing is in the hand, as far as the torque can tell.
   bool empty() const noexcept { return probability[Hypothesis::Empty] > Scalar(0.5); }

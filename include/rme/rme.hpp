@@ -77,3 +77,4 @@
 #include <rme/tracking/star_gaussian.hpp>
 #include <rme/tracking/torque_block.hpp>
 #include <rme/tracking/tracker.hpp>
+#include <rme/version.hpp>

@@ -1,9 +1,8 @@
-# rme/rme.hpp brings every header but the JSON ones, directly or through another. rme/version.hpp is for whoever asks before
-# anything else is included, and stands alone.
+# rme/rme.hpp brings every header but the JSON ones, directly or through another.
 cmake_minimum_required(VERSION 3.22)
 file(GLOB_RECURSE headers RELATIVE ${INCLUDE} ${INCLUDE}/*.hpp)
 set(pending rme/rme.hpp)
-set(reached rme/version.hpp)
+set(reached "")
 while(pending)
   list(POP_FRONT pending header)
   list(APPEND reached ${header})

@@ -37,12 +37,15 @@ namespace rme {
 template <typename Scalar, int Size, int MaxRows>
 class ActiveSetSolver {
  public:
+  /// Size x 1: x, x_u, the box.
   using Vector = Eigen::Matrix<Scalar, Size, 1>;
+  /// Size x Size: P.
   using Matrix = Eigen::Matrix<Scalar, Size, Size>;
+  /// The rows a x, beside the box.
   using Rows = ConstraintRows<Scalar, Size, MaxRows>;
   /// A root has Size rows or a few more, to a multiple of four; those that it does not need are zero.
   using Root = Eigen::Matrix<Scalar, (Size + 3) / 4 * 4, Size>;
-  static constexpr int kMaxIterations = 4 * (MaxRows + Size);
+  static constexpr int kMaxIterations = 4 * (MaxRows + Size);  ///< changes of the active set in a solve()
 
   /// What Ok allows a row to be missed by, relative to |a| (|x| + |x_u|) + |bound|: 2e-13 in double, 1e-4 in float.
   static constexpr Scalar kTolerance = 1024 * std::numeric_limits<Scalar>::epsilon();
@@ -72,7 +75,7 @@ class ActiveSetSolver {
     x_.setZero();
   }
 
-  const Vector& solution() const noexcept { return x_; }
+  const Vector& solution() const noexcept { return x_; }  ///< x of the last solve(); zero after reset()
   /// Multiplier of a row, >= 0 if it pushes at its lower bound, <= 0 at its upper, 0 if inactive.
   Scalar multiplier(int row) const noexcept { return multiplier_[index(row)]; }
   /// Multiplier of the box in coordinate j, signed likewise.

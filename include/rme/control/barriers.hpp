@@ -62,8 +62,12 @@ struct BarrierValue {
 
 /// Appends grad_h^T ddq >= -k_1 h - k_2 grad_h^T dq - dq^T hess_h dq + e [RME, Eq. 19, 20; docs/theory_control.md
 /// (C11)].
-/// @param weight  of a soft barrier; a miss of the row by s [u/s^2] costs weight * s^2
-/// @param error   of the acceleration that the row will be held for; e is the most that it can take off grad_h^T ddq
+/// @param barrier  h, its gradient and its curvature at the present state
+/// @param dq       joint velocity [rad/s]
+/// @param poles    gains k_1, k_2
+/// @param rows     get one more
+/// @param weight   of a soft barrier; a miss of the row by s [u/s^2] costs weight * s^2
+/// @param error    of the acceleration that the row will be held for; e is the most that it can take off grad_h^T ddq
 /// @return see ConstraintRows::add; Infeasible: the gradient is zero, and no acceleration gives what the barrier asks
 template <typename Scalar, int Dofs, int MaxRows>
 Status add_barrier(const BarrierValue<Scalar, Dofs>& barrier, const JointVector<Scalar, Dofs>& dq,
@@ -85,7 +89,9 @@ struct PointMotion {
 };
 
 /// Keeps a point on the side of a plane to which `normal` points: h = n.x - offset [m].
+/// @param point   of the arm, in motion
 /// @param normal  n, of unit length
+/// @param offset  of the plane from the origin, along n [m]
 template <typename Scalar, int Dofs>
 BarrierValue<Scalar, Dofs> half_space(const PointMotion<Scalar, Dofs>& point, const Vector3<Scalar>& normal,
                                       Scalar offset) noexcept {
@@ -97,7 +103,10 @@ enum class SphereSide { Outside, Inside };
 
 /// Keeps a point outside or inside a sphere: h = +-(|x - c|^2 - r^2) / (2 r), which near the surface is the distance to
 /// it [m] and, unlike the distance, is smooth at the centre.
+/// @param point   of the arm, in motion
+/// @param center  c [m], world axes
 /// @param radius  r [m], > 0
+/// @param side    on which the point has to stay
 template <typename Scalar, int Dofs>
 BarrierValue<Scalar, Dofs> sphere(const PointMotion<Scalar, Dofs>& point, const Vector3<Scalar>& center, Scalar radius,
                                   SphereSide side) noexcept {
@@ -111,7 +120,8 @@ BarrierValue<Scalar, Dofs> sphere(const PointMotion<Scalar, Dofs>& point, const 
 /// Settings of JointLimits.
 template <typename Scalar, int Dofs>
 struct JointLimitsConfig {
-  JointVector<Scalar, Dofs> q_min, q_max;  ///< [rad], q_min < q_max
+  JointVector<Scalar, Dofs> q_min;  ///< [rad]
+  JointVector<Scalar, Dofs> q_max;  ///< [rad], above q_min
   /// |dq| [rad/s], > 0; infinite for none
   JointVector<Scalar, Dofs> velocity_limit =
       JointVector<Scalar, Dofs>::Constant(std::numeric_limits<Scalar>::infinity());
@@ -137,6 +147,9 @@ class JointLimits {
   explicit JointLimits(const JointLimitsConfig<Scalar, Dofs>& config);
 
   /// Appends Dofs rows, joint 0 first.
+  /// @param q      joint position [rad]
+  /// @param dq     joint velocity [rad/s]
+  /// @param rows   get Dofs more
   /// @param error  of the accelerations that the rows will be held for
   /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; CapacityExceeded: then none has been added.
   ///         Infeasible: the error leaves a joint no acceleration that is sure to keep both its position limits, and

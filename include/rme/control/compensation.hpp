@@ -25,8 +25,11 @@ JointVector<Scalar, Dofs> compensation_torque(const Payload<Scalar>& payload,
 
 /// U = m g.(p + R r) [J] (docs/theory_control.md (C19)): the potential of which compensation_torque is minus the
 /// gradient by q, minus the payload's own.
+/// @param payload   what is held
 /// @param position  p [m], of the end-effector origin, world axes, from a point in the middle of the workspace: what
 ///                  EnergyTank promises has the largest |U| in it
+/// @param rotation  R, end-effector axes to world axes
+/// @param gravity   g [m/s^2], world axes
 template <typename Scalar>
 Scalar compensation_potential(const Payload<Scalar>& payload, const Vector3<Scalar>& position,
                               const Matrix3<Scalar>& rotation,
@@ -49,6 +52,7 @@ template <typename Scalar, int Dofs>
 class CompensationRamp {
  public:
   /// @param period  control period [s], > 0. The nominal one, not the measured one: a late tick must not make a step.
+  /// @param config  how fast the torque may change
   /// @throws std::invalid_argument naming the field out of range
   explicit CompensationRamp(
       Scalar period, const CompensationRampConfig<Scalar, Dofs>& config = CompensationRampConfig<Scalar, Dofs>());

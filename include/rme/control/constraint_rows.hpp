@@ -16,11 +16,13 @@ namespace rme {
 template <typename Scalar, int Size, int MaxRows>
 class ConstraintRows {
  public:
-  using Vector = Eigen::Matrix<Scalar, Size, 1>;
+  using Vector = Eigen::Matrix<Scalar, Size, 1>;  ///< x, or a row's a
 
+  /// lower <= a x <= upper.
   struct Row {
-    Vector a;
-    Scalar lower, upper;
+    Vector a;             ///< Size x 1
+    Scalar lower;         ///< of a x; -infinity for none
+    Scalar upper;         ///< of a x; infinity for none
     Scalar weight;        ///< w; infinite for a hard row
     Scalar squared_norm;  ///< |a|^2
     int axis;             ///< j where a = e_j, else -1
@@ -30,6 +32,9 @@ class ConstraintRows {
   static constexpr Scalar kHard = std::numeric_limits<Scalar>::infinity();  ///< the weight of a row without slack
 
   /// Appends lower <= a x <= upper.
+  /// @param a       Size x 1
+  /// @param lower   -infinity for none
+  /// @param upper   kFree for none
   /// @param weight  w > 0 [cost per squared unit of a x]; kHard for none
   /// @return Ok; NonFiniteInput for a NaN or an infinite a; Infeasible for lower > upper, and for a = 0 with
   ///         bounds that leave out zero; CapacityExceeded. Only after
@@ -41,9 +46,10 @@ class ConstraintRows {
   Status add_axis(int axis, Scalar lower, Scalar upper = kFree, Scalar weight = kHard) noexcept {
     return add({Vector::Unit(axis), lower, upper, weight, Scalar(1), axis});
   }
-  void clear() noexcept { size_ = 0; }
+  void clear() noexcept { size_ = 0; }  ///< removes all rows
 
-  int size() const noexcept { return size_; }
+  int size() const noexcept { return size_; }  ///< rows that were added, at most MaxRows
+  /// Row i in the order of add(), 0 <= i < size().
   const Row& operator[](int i) const noexcept { return rows_[static_cast<std::size_t>(i)]; }
 
  private:

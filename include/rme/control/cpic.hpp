@@ -31,7 +31,7 @@ struct CpicConfig {
   /// l > 0 [m]: a moment error of 1 N m counts as a force error of 1 / l newton. 1 is the paper's cost. About the size
   /// of the hand keeps a constraint on its position from being met by swinging it round the wrist.
   Scalar moment_arm = Scalar(1);
-  NullSpaceConfig<Scalar> null_space = NullSpaceConfig<Scalar>();
+  NullSpaceConfig<Scalar> null_space = NullSpaceConfig<Scalar>();  ///< near singular poses
 };
 
 /// What CPIC needs to know each tick. Units [kg m^2], [N m]; world axes.
@@ -69,13 +69,14 @@ struct CpicInput {
 template <typename Scalar, int Dofs, int MaxRows = 28>
 class Cpic {
  public:
-  using Rows = ConstraintRows<Scalar, Dofs, MaxRows>;
-  using Vector = JointVector<Scalar, Dofs>;
+  using Rows = ConstraintRows<Scalar, Dofs, MaxRows>;  ///< on ddq
+  using Vector = JointVector<Scalar, Dofs>;            ///< joint torque [N m] or acceleration [rad/s^2]
 
   /// @throws std::invalid_argument naming the field out of range, or those that are so together
   explicit Cpic(const CpicConfig<Scalar, Dofs>& config);
 
-  /// @param rows  bounds on grad^T ddq; gradient and bounds in any unit that the barrier's h has
+  /// @param input  dynamics, task force and posture of this tick
+  /// @param rows   bounds on grad^T ddq; gradient and bounds in any unit that the barrier's h has
   /// @return Ok: every row and limit holds to ActiveSetSolver::kTolerance, relative to the terms of the row written for
   ///         tau; Infeasible: the hard rows cannot all be kept within the torque limits, torque() violates them least;
   ///         NotConverged: torque() is only known to respect the limits. After NonFiniteInput (also for numbers beyond
@@ -95,8 +96,11 @@ class Cpic {
   Scalar torque_multiplier(int joint) const noexcept { return solver_.box_multiplier(joint); }
   /// By how much the bound of a soft row, or of a hard one in an infeasible set, is missed.
   Scalar slack(int row) const noexcept { return solver_.slack(row); }
+  /// Rows and torque limits that were active in the last update().
   int active_count() const noexcept { return solver_.active_count(); }
+  /// Changes of the active set in the last update().
   int iterations() const noexcept { return solver_.iterations(); }
+  /// N of the last update()'s pose.
   const NullSpace<Scalar, Dofs>& null_space() const noexcept { return null_space_; }
 
  private:

@@ -36,6 +36,7 @@ template <typename Scalar>
 class EnergyTank {
  public:
   /// @param period  control period [s], > 0
+  /// @param config  how much it holds, and when the torque fades
   /// @throws std::invalid_argument naming the field out of range
   explicit EnergyTank(Scalar period, const EnergyTankConfig& config = EnergyTankConfig())
       : period_(period),

@@ -39,6 +39,7 @@ class LimitCycle {
     config_.normal.normalize();
   }
 
+  /// f at x [m], world axes.
   Flow<Scalar> operator()(const Vector3<Scalar>& x) const noexcept {
     const Vector3<Scalar> e = x - config_.center;
     const Vector3<Scalar>& n = config_.normal;

@@ -30,6 +30,7 @@ class LinearAttractor {
     detail::require(config.max_speed > 0, "LinearAttractorConfig::max_speed", "> 0 m/s", config.max_speed);
   }
 
+  /// f at x [m], world axes.
   Flow<Scalar> operator()(const Vector3<Scalar>& x) const noexcept {
     const Vector3<Scalar> e = x - config_.target;
     const Scalar k = config_.gain;

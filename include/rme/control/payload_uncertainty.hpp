@@ -39,7 +39,7 @@ struct PayloadUncertaintyConfig {
 template <typename Scalar, int Dofs>
 class PayloadUncertainty {
  public:
-  using Vector = JointVector<Scalar, Dofs>;
+  using Vector = JointVector<Scalar, Dofs>;  ///< joint torque [N m] or acceleration [rad/s^2]
 
   /// @throws std::invalid_argument naming the field out of range
   explicit PayloadUncertainty(const PayloadUncertaintyConfig<Scalar>& config = PayloadUncertaintyConfig<Scalar>());

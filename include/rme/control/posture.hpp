@@ -27,6 +27,7 @@ class Posture {
                     config.damping);
   }
 
+  /// tau_0 [N m] at q [rad] and dq [rad/s], for the null space.
   JointVector<Scalar, Dofs> torque(const JointVector<Scalar, Dofs>& q,
                                    const JointVector<Scalar, Dofs>& dq) const noexcept {
     return config_.stiffness * (config_.rest - q) - config_.damping * dq;

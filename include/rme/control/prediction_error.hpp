@@ -16,9 +16,11 @@ namespace rme {
 /// What barriers.hpp takes off its rows: with it, they keep what they promise although the prediction is wrong.
 template <typename Scalar, int Dofs>
 struct AccelerationError {
-  JointVector<Scalar, Dofs> below, above;
+  JointVector<Scalar, Dofs> below;  ///< [rad/s^2], >= 0
+  JointVector<Scalar, Dofs> above;  ///< [rad/s^2], >= 0
 
   AccelerationError() noexcept { below = above = JointVector<Scalar, Dofs>::Zero(); }
+  /// Both in [rad/s^2], >= 0.
   AccelerationError(const JointVector<Scalar, Dofs>& below_, const JointVector<Scalar, Dofs>& above_) noexcept
       : below(below_), above(above_) {}
   /// The most by which gradient . ddq may lie below what is predicted, >= 0.
@@ -43,9 +45,10 @@ struct PredictionErrorConfig {
 template <typename Scalar, int Dofs>
 class PredictionErrorWatch {
  public:
-  using Vector = JointVector<Scalar, Dofs>;
+  using Vector = JointVector<Scalar, Dofs>;  ///< dq [rad/s] or ddq [rad/s^2]
 
   /// @param period  T, from one observe() to the next [s], > 0
+  /// @param config  what the host states, and the memory
   /// @throws std::invalid_argument naming the field out of range
   explicit PredictionErrorWatch(
       Scalar period, const PredictionErrorConfig<Scalar, Dofs>& config = PredictionErrorConfig<Scalar, Dofs>())
@@ -83,6 +86,7 @@ class PredictionErrorWatch {
     predicted_known_ = ddq.allFinite();
   }
 
+  /// The bound on the error of the next prediction.
   const AccelerationError<Scalar, Dofs>& error() const noexcept { return error_; }
 
  private:

@@ -13,8 +13,9 @@ namespace rme {
 template <typename Scalar, int Size>
 class Cholesky {
  public:
-  using Matrix = Eigen::Matrix<Scalar, Size, Size>;
+  using Matrix = Eigen::Matrix<Scalar, Size, Size>;  ///< A and L
 
+  /// Factorises A; positive_definite() says whether that worked.
   explicit Cholesky(const Matrix& A) noexcept {
     using std::sqrt;
 #pragma GCC unroll 8

@@ -14,12 +14,14 @@ struct Payload {
 
   /// theta = (m, r_x, r_y, r_z), 4x1: the order of every mean, covariance and network output.
   Vector4<Scalar> vector() const noexcept { return {mass, com[0], com[1], com[2]}; }
+  /// The payload of theta, as vector() has it.
   static Payload from_vector(const Vector4<Scalar>& theta) noexcept {
     return {theta[0], {theta[1], theta[2], theta[3]}};
   }
 };
 
 /// Wrench of a payload at rest on the end effector, w = [ m g ; (R r) x (m g) ] (docs/theory.md (T1)).
+/// @param payload   mass [kg] and centre of mass [m]
 /// @param rotation  R, end-effector axes to world axes
 /// @param gravity   g [m/s^2], world axes
 template <typename Scalar>

@@ -29,11 +29,11 @@ class RingBuffer {
   /// The i-th value from the oldest kept: 0 is the oldest. Requires i < size().
   const Value& operator[](std::size_t i) const noexcept { return newest(size_ - 1 - i); }
 
-  std::size_t size() const noexcept { return size_; }
-  std::size_t capacity() const noexcept { return values_.size(); }
-  bool empty() const noexcept { return size_ == 0; }
-  bool full() const noexcept { return size_ == values_.size(); }
-  void clear() noexcept { next_ = size_ = 0; }
+  std::size_t size() const noexcept { return size_; }               ///< values kept now
+  std::size_t capacity() const noexcept { return values_.size(); }  ///< values kept at most
+  bool empty() const noexcept { return size_ == 0; }                ///< before the first push()
+  bool full() const noexcept { return size_ == values_.size(); }    ///< the next push() forgets one
+  void clear() noexcept { next_ = size_ = 0; }                      ///< forgets all values
 
  private:
   static std::size_t checked(std::size_t capacity) {

@@ -6,17 +6,17 @@
 namespace rme {
 
 template <typename Scalar>
-using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
+using Vector3 = Eigen::Matrix<Scalar, 3, 1>;  ///< 3x1
 template <typename Scalar>
-using Vector4 = Eigen::Matrix<Scalar, 4, 1>;
+using Vector4 = Eigen::Matrix<Scalar, 4, 1>;  ///< 4x1
 template <typename Scalar>
-using Vector6 = Eigen::Matrix<Scalar, 6, 1>;
+using Vector6 = Eigen::Matrix<Scalar, 6, 1>;  ///< 6x1: of a wrench or a twist, linear part first
 template <typename Scalar>
-using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
+using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;  ///< 3x3
 template <typename Scalar>
-using Matrix4 = Eigen::Matrix<Scalar, 4, 4>;
+using Matrix4 = Eigen::Matrix<Scalar, 4, 4>;  ///< 4x4
 template <typename Scalar>
-using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
+using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;  ///< 6x6
 
 /// Joint-space vector: q [rad], dq [rad/s], tau [N m].
 template <typename Scalar, int Dofs>

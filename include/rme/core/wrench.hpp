@@ -27,6 +27,7 @@ struct Wrench {
 
   /// (force, moment), 6x1: the order of the Jacobian's rows, so that tau = J^T w.vector().
   Vector6<Scalar> vector() const noexcept { return detail::stacked(force, moment); }
+  /// The wrench of (force, moment), as vector() has it.
   static Wrench from_vector(const Vector6<Scalar>& w) noexcept { return {{w[0], w[1], w[2]}, {w[3], w[4], w[5]}}; }
 };
 
@@ -38,6 +39,7 @@ struct Twist {
 
   /// (linear, angular), 6x1: the order of the Jacobian's rows, so that J dq = twist.vector().
   Vector6<Scalar> vector() const noexcept { return detail::stacked(linear, angular); }
+  /// The twist of (linear, angular), as vector() has it.
   static Twist from_vector(const Vector6<Scalar>& v) noexcept { return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}}; }
 };
 

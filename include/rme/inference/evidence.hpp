@@ -26,8 +26,10 @@ Scalar payload_log_evidence(const PayloadLikelihood<Scalar>& likelihood, const P
 ///
 ///     log p = -1/2 (sum_j <e, e>_j - b^T P^-1 b) - 1/2 log det(P S)     (docs/theory.md (T43))
 ///
-/// @param joints    of the window, from PayloadStatistics::marginals
-/// @param jacobian  J, 6 x Dofs, of the window, over which it is taken as constant
+/// @param joints             of the window, from PayloadStatistics::marginals
+/// @param payload            what the hand holds
+/// @param jacobian           J, 6 x Dofs, of the window, over which it is taken as constant
+/// @param prior              S: how hard a hand may push
 /// @param[out] log_evidence  as it was unless the status is Ok
 /// @return Ok, or NotPositiveDefinite if a number overflowed
 template <typename Scalar, int Dofs>

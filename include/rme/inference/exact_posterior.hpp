@@ -29,6 +29,8 @@ struct ExactQuadrature {};
 /// sharpens each, and the fine pass covers whatever lies within e^-20 of the highest. Real time: one 3x3
 /// eigendecomposition, 196 evaluations of the mass's density at most and 233 for each mode that is sharpened (three as
 /// a rule, of which one counts; about 300 in all), each with a logarithm and three divisions; no allocation.
+/// @param likelihood   of the window
+/// @param prior        over (m, r), covariance positive definite
 /// @param[out] result  as it was unless the status is Ok
 /// @return Ok; NonFiniteInput; NotPositiveDefinite (the prior's covariance)
 template <typename Scalar>

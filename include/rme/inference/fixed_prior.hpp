@@ -9,9 +9,11 @@ namespace rme {
 /// Called as NetworkPrior is, whatever the window.
 template <typename Scalar>
 struct FixedPrior {
+  /// What is said to every window.
   PayloadGaussian<Scalar> gaussian = PayloadGaussian<Scalar>::independent(
       {Scalar(0.8), Scalar(0), Scalar(0), Scalar(0.1)}, {Scalar(0.6), Scalar(0.05), Scalar(0.05), Scalar(0.06)});
 
+  /// `gaussian`, whatever the window.
   template <typename Window>
   PayloadGaussian<Scalar> operator()(const Window& /*window*/, std::size_t /*count*/) const noexcept {
     return gaussian;

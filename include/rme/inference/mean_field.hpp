@@ -29,7 +29,10 @@ struct MeanFieldConfig {
 /// and so has each mean alone; but mass and centre of mass are correlated, and one at a time they creep. The means
 /// therefore take a Newton step together, halved until the ELBO does not fall; if none helps they go one at a time.
 /// Real time: at most max_iterations sweeps with at most 20 halvings each, all 4x4, no allocation.
+/// @param likelihood   of the window
+/// @param prior        over (m, r), covariance positive definite
 /// @param[out] result  the best iterate; as it was if the status is NonFiniteInput or NotPositiveDefinite
+/// @param config       chooses this solver
 /// @return Ok; NotConverged (result holds the best iterate); NonFiniteInput; NotPositiveDefinite (the prior's
 /// covariance)
 template <typename Scalar>

@@ -9,9 +9,10 @@ namespace rme {
 /// N(mean, covariance) over theta = (m, r_x, r_y, r_z), in [kg, m, m, m], end-effector axes.
 template <typename Scalar>
 struct PayloadGaussian {
-  Vector4<Scalar> mean = Vector4<Scalar>::Zero();
-  Matrix4<Scalar> covariance = Matrix4<Scalar>::Identity();
+  Vector4<Scalar> mean = Vector4<Scalar>::Zero();            ///< [kg, m, m, m]
+  Matrix4<Scalar> covariance = Matrix4<Scalar>::Identity();  ///< 4x4, positive semidefinite
 
+  /// The mean as mass and centre of mass.
   Payload<Scalar> payload() const noexcept { return Payload<Scalar>::from_vector(mean); }
   /// Marginal standard deviations, 4x1.
   Vector4<Scalar> standard_deviation() const noexcept { return covariance.diagonal().cwiseSqrt(); }

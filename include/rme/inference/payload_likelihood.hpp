@@ -13,12 +13,12 @@ namespace rme {
 /// is in kg and r in m. PayloadStatistics makes it.
 template <typename Scalar>
 struct PayloadLikelihood {
-  Scalar yy = Scalar(0);
-  Scalar ya = Scalar(0);
-  Scalar aa = Scalar(0);
-  Vector3<Scalar> yB = Vector3<Scalar>::Zero();
-  Vector3<Scalar> aB = Vector3<Scalar>::Zero();
-  Matrix3<Scalar> BB = Matrix3<Scalar>::Zero();
+  Scalar yy = Scalar(0);                         ///< sum of y^T W y
+  Scalar ya = Scalar(0);                         ///< sum of y^T W a
+  Scalar aa = Scalar(0);                         ///< sum of a^T W a
+  Vector3<Scalar> yB = Vector3<Scalar>::Zero();  ///< sum of B^T W y
+  Vector3<Scalar> aB = Vector3<Scalar>::Zero();  ///< sum of B^T W a
+  Matrix3<Scalar> BB = Matrix3<Scalar>::Zero();  ///< sum of B^T W B
   /// Log of the factor in front, up to one that every sensor model of the same window shares: only to compare those.
   Scalar log_factor = Scalar(0);
 
@@ -34,6 +34,7 @@ struct PayloadLikelihood {
     return l;
   }
 
+  /// L(theta).
   Scalar log_likelihood(const Vector4<Scalar>& theta) const noexcept {
     const Scalar m = theta[0];
     const Vector3<Scalar> r = theta.template tail<3>();
@@ -42,6 +43,7 @@ struct PayloadLikelihood {
 
   /// L(theta) - L(m = 0): how much better a payload explains the window than an empty hand. Without yy, whose size
   /// would drown the rest.
+  /// @param theta          (m [kg], r [m]), 4x1
   /// @param[out] gradient  with respect to theta, 4x1
   Scalar log_likelihood_ratio(const Vector4<Scalar>& theta, Vector4<Scalar>& gradient) const noexcept {
     const Scalar m = theta[0];
@@ -51,6 +53,7 @@ struct PayloadLikelihood {
     return m * yt - Scalar(0.5) * m * m * tt;
   }
 
+  /// Whether none of the sums is NaN or infinite.
   bool all_finite() const noexcept {
     return std::isfinite(yy) && std::isfinite(ya) && std::isfinite(aa) && yB.allFinite() && aB.allFinite() &&
            BB.allFinite();

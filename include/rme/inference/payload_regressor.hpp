@@ -22,6 +22,7 @@ struct PayloadRegressor {
   Eigen::Matrix<Scalar, Dofs, 3> B = Eigen::Matrix<Scalar, Dofs, 3>::Zero();  ///< Dofs x 3 [N / kg]
   Eigen::Matrix<Scalar, Dofs, 6> Q = Eigen::Matrix<Scalar, Dofs, 6>::Zero();  ///< Dofs x 6 [N / (kg m)]
 
+  /// tau = m (a + B r + Q p(r)) [N m] (docs/theory.md (T5)).
   JointVector<Scalar, Dofs> torque(const Payload<Scalar>& payload) const noexcept {
     return payload.mass * (a + B * payload.com + Q * products(payload.com));
   }
@@ -47,6 +48,10 @@ PayloadRegressor<Scalar, Dofs> payload_regressor(const Jacobian<Scalar, Dofs>& j
 /// with a_o the origin's acceleration. n is quadratic in r through the point mass's own inertia, (R r) x (W R r): the
 /// six columns of Q. A body's inertia about its own centre adds k^2 alpha per kilogram for a radius of gyration k.
 /// docs/theory.md (T4, T5).
+/// @param jacobian         6 x Dofs, world axes, linear rows first
+/// @param rotation         R, end-effector axes to world axes
+/// @param gravity          g [m/s^2], world axes
+/// @param motion           of the flange, world axes
 /// @param gyration_radius  k [m], of the payload about its centre of mass, taken as the same about every axis
 template <typename Scalar, int Dofs>
 PayloadRegressor<Scalar, Dofs> payload_regressor(const Jacobian<Scalar, Dofs>& jacobian,

@@ -15,12 +15,12 @@ inline constexpr int kNuisances = 3;
 template <typename Scalar>
 using NuisanceVector = Eigen::Matrix<Scalar, kNuisances, 1>;  ///< (offset [N m], coulomb [N m], viscous [N m s/rad])
 template <typename Scalar>
-using NuisanceMatrix = Eigen::Matrix<Scalar, kNuisances, kNuisances>;
+using NuisanceMatrix = Eigen::Matrix<Scalar, kNuisances, kNuisances>;  ///< covariance of the same
 
 /// Gaussian over the nuisance coefficients of every joint, independent between joints.
 template <typename Scalar, int Dofs>
 struct NuisanceGaussian {
-  std::array<NuisanceVector<Scalar>, Dofs> mean;
+  std::array<NuisanceVector<Scalar>, Dofs> mean;        ///< mu, per joint
   std::array<NuisanceMatrix<Scalar>, Dofs> covariance;  ///< positive definite
 };
 
@@ -39,9 +39,9 @@ struct PayloadObservation {
 template <typename Scalar, int Dofs>
 class PayloadStatistics {
  public:
-  static constexpr int kColumns = 8;   ///< y, a, B, 1, -direction, -velocity
-  static constexpr int kConstant = 5;  ///< the column of ones
-  using Row = Eigen::Matrix<Scalar, kColumns, 1>;
+  static constexpr int kColumns = 8;                                          ///< y, a, B, 1, -direction, -velocity
+  static constexpr int kConstant = 5;                                         ///< the column of ones
+  using Row = Eigen::Matrix<Scalar, kColumns, 1>;                             ///< z of one tick and joint
   using Grams = std::array<Eigen::Matrix<Scalar, kColumns, kColumns>, Dofs>;  ///< per joint
 
   PayloadStatistics() noexcept {
@@ -73,14 +73,15 @@ class PayloadStatistics {
     return *this;
   }
 
-  int count() const noexcept { return count_; }
+  int count() const noexcept { return count_; }  ///< ticks that were added
 
   /// What one joint says once its nuisances are integrated out: precision-weighted products of u = (y, a, B_x, B_y,
   /// B_z, 1) with y taken as y - N mu. Entry (i, j) is sum_t u_i u_j with the marginal precision in between; the last
   /// column is that of a constant torque in this joint.
   static constexpr int kSignals = 6;
+  /// The same, with the factor in front.
   struct Marginal {
-    Eigen::Matrix<Scalar, kSignals, kSignals> products;
+    Eigen::Matrix<Scalar, kSignals, kSignals> products;  ///< symmetric
     Scalar log_factor;  ///< -1/2 log det of the nuisances' posterior over prior precision
   };
 
@@ -90,6 +91,8 @@ class PayloadStatistics {
   ///
   /// @param joint      0 .. Dofs - 1
   /// @param precision  w [1/(N m)^2], > 0
+  /// @param nuisance   beta ~ N(mu, Lambda)
+  /// @param out        as it was unless the status is Ok
   /// @return Ok, or NotPositiveDefinite for a nuisance covariance that is not; then `out` is as it was
   Status marginal(int joint, Scalar precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
                   Marginal& out) const noexcept {
@@ -122,6 +125,8 @@ class PayloadStatistics {
 
   /// marginal() of every joint.
   /// @param precision  per joint and sample [1/(N m)^2], > 0
+  /// @param nuisance   beta ~ N(mu, Lambda)
+  /// @param out        one for each joint
   /// @return Ok, or NotPositiveDefinite for a nuisance covariance that is not; then `out` holds nothing of use
   Status marginals(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
                    Marginals& out) const noexcept {
@@ -146,6 +151,8 @@ class PayloadStatistics {
   }
   /// The same from the sums at once.
   /// @param precision  per joint and sample [1/(N m)^2], > 0
+  /// @param nuisance   beta ~ N(mu, Lambda)
+  /// @param out        as it was unless the status is Ok
   /// @return Ok, or NotPositiveDefinite for a nuisance covariance that is not; then the likelihood is as it was
   Status likelihood(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
                     PayloadLikelihood<Scalar>& out) const noexcept {

@@ -22,9 +22,11 @@ struct PublishedLikelihoodConfig {
 ///
 /// No offset, no friction, no correlation: PayloadStatistics::likelihood with nuisances is the one to be preferred. The
 /// paper takes the raw tau_ext and the regressor at rest.
-/// @param count  samples in the window, >= 1; with fewer than config.samples some are taken twice
-/// @param at     callable (int i) -> PayloadObservation (its tau and regressor are used), i from 0 to count - 1
+/// @param count            samples in the window, >= 1; with fewer than config.samples some are taken twice
+/// @param at               callable (int i) -> PayloadObservation (its tau and regressor are used), i from 0 to count -
+///                         1
 /// @param[out] likelihood  as it was unless the status is Ok
+/// @param config           the defaults are the published ones
 /// @return Ok; NotReady (an empty window); NonFiniteInput
 template <typename Scalar, int Dofs, typename At>
 Status published_likelihood(int count, const At& at, PayloadLikelihood<Scalar>& likelihood,

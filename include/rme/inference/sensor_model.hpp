@@ -15,7 +15,7 @@ namespace rme {
 ///     tau_ext = payload + offset + stiction - coulomb * direction - viscous * dq + noise
 template <typename Scalar, int Dofs>
 struct SensorModel {
-  using Vector = JointVector<Scalar, Dofs>;
+  using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
 
   /// Standard deviation of what varies within a window, over the correlation time [N m], > 0. White noise of standard
   /// deviation s per sample of period dt counts as s sqrt(dt / (2 noise_correlation_time)).

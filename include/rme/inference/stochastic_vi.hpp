@@ -36,10 +36,11 @@ struct StochasticViConfig {
 /// taken by Adam [Kingma and Ba 2015] with decay rates 0.9 and 0.999. The last iterate is the answer, noise included.
 /// Bounded work, but milliseconds of it: not for the control tick. No allocation.
 /// @param log_likelihood  callable (const Vector4& theta, Vector4& gradient) -> Scalar, noexcept: log p(y | theta) up
-/// to
-///                        a constant, which is then that of InferenceResult::log_evidence
-/// @param random          a generator in the sense of the standard library, advanced; it must not throw
+///                        to a constant, which is then that of InferenceResult::log_evidence
+/// @param prior           over (m, r), covariance positive definite
 /// @param[out] result     the last iterate; as it was if the status is NonFiniteInput or NotPositiveDefinite
+/// @param config          the defaults are the published ones
+/// @param random          a generator in the sense of the standard library, advanced; it must not throw
 /// @return Ok; NotConverged (max_steps reached: usual, and result is valid); NonFiniteInput (also if the likelihood is
 /// not finite); NotPositiveDefinite (the prior's covariance)
 template <typename LogLikelihood, typename Scalar, typename Random>

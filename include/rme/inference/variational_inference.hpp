@@ -16,6 +16,8 @@ namespace rme {
 template <typename Scalar>
 class ExpectedLogJoint {
  public:
+  /// @param likelihood       of the window
+  /// @param prior_mean       4x1
   /// @param prior_precision  inverse of the prior's covariance
   ExpectedLogJoint(const PayloadLikelihood<Scalar>& likelihood, const Vector4<Scalar>& prior_mean,
                    const Matrix4<Scalar>& prior_precision) noexcept
@@ -93,9 +95,13 @@ struct VariationalInferenceConfig {
 ///
 /// taken in the natural parameters and shortened until the ELBO does not fall. Real time: at most max_iterations steps
 /// with at most 20 shortenings each, all 4x4, no allocation.
-/// @param start  a mean to start from, such as that of nearly the same data, which takes fewer steps; if null, the
-///               prior's centre of mass with the mass that fits best there. It decides on which side of m = 0 q lies
+/// @param likelihood   of the window
+/// @param prior        over (m, r), covariance positive definite
 /// @param[out] result  the best iterate; as it was if the status is NonFiniteInput or NotPositiveDefinite
+/// @param config       bounds on the work
+/// @param start        a mean to start from, such as that of nearly the same data, which takes fewer steps; if null,
+///                     the prior's centre of mass with the mass that fits best there. It decides on which side of m = 0
+///                     q lies
 /// @return Ok; NotConverged (result holds the best iterate); NonFiniteInput; NotPositiveDefinite (the prior's
 /// covariance)
 template <typename Scalar>

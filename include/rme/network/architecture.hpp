@@ -14,6 +14,7 @@ struct PublishedArchitecture {
   static constexpr int kMlpHidden = 256;    ///< H
   static constexpr int kMlpRepeats = 3;     ///< the block is applied so often, with the same weights
   static constexpr int kOutputs = 4;        ///< theta = (m [kg], r_x, r_y, r_z [m])
+  /// As in a weights file.
   static constexpr std::array<const char*, kOutputs> kOutputNames{"mass", "com_x", "com_y", "com_z"};
 };
 

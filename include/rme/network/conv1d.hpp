@@ -14,13 +14,14 @@ namespace rme {
 template <typename Scalar, int Samples, int In, int Out, int Kernel>
 struct Conv1d {
   static_assert(Kernel % 2 == 1, "an even kernel has no middle");
-  static constexpr int kPatch = In * Kernel;
-  using Input = Eigen::Matrix<Scalar, Samples, In>;
+  static constexpr int kPatch = In * Kernel;         ///< numbers in a patch
+  using Input = Eigen::Matrix<Scalar, Samples, In>;  ///< one sample per row
   /// One patch per row: time is the contiguous direction here, as in the input.
   using Patches = Eigen::Matrix<Scalar, Samples, kPatch>;
 
   Linear<Scalar, kPatch, Out> patch_layer;  ///< weight: Out x (In * Kernel), PyTorch's [Out][In][Kernel] flattened
 
+  /// Writes the patches of x.
   static void unfold(const Input& x, Patches& patches) noexcept {
     constexpr int middle = (Kernel - 1) / 2;
     for (int c = 0; c < In; ++c) {

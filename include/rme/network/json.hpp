@@ -17,10 +17,10 @@ namespace rme {
 /// What a weights file holds. As large as its weights.
 template <typename Scalar, typename Architecture = PublishedArchitecture>
 struct MismatchModel {
-  std::string robot;                                   ///< the arm it was trained for, e.g. "Franka Emika Panda"
-  std::string end_effector;                            ///< whose origin and axes it means, e.g. "flange"
-  nlohmann::json training = nlohmann::json::object();  ///< where it comes from, free-form
-  MismatchNetworkWeights<Scalar, Architecture> weights;
+  std::string robot;                                     ///< the arm it was trained for, e.g. "Franka Emika Panda"
+  std::string end_effector;                              ///< whose origin and axes it means, e.g. "flange"
+  nlohmann::json training = nlohmann::json::object();    ///< where it comes from, free-form
+  MismatchNetworkWeights<Scalar, Architecture> weights;  ///< of the network
 };
 
 /// The model that a JSON value describes; all of it or none.

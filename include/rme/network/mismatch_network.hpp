@@ -30,7 +30,7 @@ class MismatchNetwork {
   using A = Architecture;
 
  public:
-  using Weights = MismatchNetworkWeights<Scalar, Architecture>;
+  using Weights = MismatchNetworkWeights<Scalar, Architecture>;  ///< what it is made of
   /// Pseudo-wrenches, one sample per row, oldest first: force [N] x3, moment [N m] x3, in the axes of frame().
   using Window = Eigen::Matrix<Scalar, A::kSamples, A::kChannels>;
   using Output = Eigen::Matrix<Scalar, A::kOutputs, 1>;  ///< theta = (m [kg], r_x, r_y, r_z [m])
@@ -42,7 +42,8 @@ class MismatchNetwork {
   ///         then `out` is untouched
   Status forward(const Window& window, Output& out) const noexcept;
 
-  InputFrame frame() const noexcept { return frame_; }
+  InputFrame frame() const noexcept { return frame_; }  ///< axes of the window's pseudo-wrenches
+  /// What forward() does to the window first.
   const Normalization<Scalar, A::kChannels>& normalization() const noexcept { return normalization_; }
 
  private:

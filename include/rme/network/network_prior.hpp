@@ -49,10 +49,11 @@ struct NetworkPriorConfig {
 template <typename Scalar, typename Architecture = PublishedArchitecture, typename NetworkScalar = float>
 class NetworkPrior {
  public:
-  using Network = MismatchNetwork<NetworkScalar, Architecture>;
+  using Network = MismatchNetwork<NetworkScalar, Architecture>;  ///< the network that it asks
 
   /// @param network  is kept by reference
   /// @param dt       control period [s], > 0
+  /// @param config   how far to trust the guess
   /// @throws std::invalid_argument naming the field out of range
   NetworkPrior(const Network& network, double dt,
                const NetworkPriorConfig<Scalar>& config = NetworkPriorConfig<Scalar>());

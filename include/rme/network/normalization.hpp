@@ -7,6 +7,7 @@ namespace rme {
 /// (x - mean) / std in each channel, with the mean and standard deviation of the training data.
 template <typename Scalar, int Channels>
 struct Normalization {
+  /// Channels x 1.
   Eigen::Matrix<Scalar, Channels, 1> mean = Eigen::Matrix<Scalar, Channels, 1>::Zero();
   Eigen::Matrix<Scalar, Channels, 1> std = Eigen::Matrix<Scalar, Channels, 1>::Ones();  ///< > 0
 

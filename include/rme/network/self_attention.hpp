@@ -52,11 +52,11 @@ Eigen::Matrix<Scalar, Samples, 1> mean_attention_weights(const Eigen::MatrixBase
 template <typename Scalar, int Samples, int Embed, int Heads>
 struct SelfAttention {
   static_assert(Embed % Heads == 0, "each head takes an equal share of the embedding");
-  static constexpr int kHeadSize = Embed / Heads;
+  static constexpr int kHeadSize = Embed / Heads;          ///< embedding that a head sees
   using Sequence = Eigen::Matrix<Scalar, Embed, Samples>;  ///< one sample per column
 
   Linear<Scalar, Embed, 3 * Embed> in_proj;  ///< queries, then keys, then values; head h is rows h * kHeadSize onwards
-  Linear<Scalar, Embed, Embed> out_proj;
+  Linear<Scalar, Embed, Embed> out_proj;     ///< of the heads' outputs, one after the other
 
   /// @param x  Embed x Samples
   /// @param y  Embed x Samples

@@ -18,27 +18,28 @@ enum class InputFrame : std::uint8_t {
 /// writes such a constant. Large: sizeof is 213 KB in float, 426 KB in double.
 template <typename Scalar, typename Architecture = PublishedArchitecture>
 struct MismatchNetworkWeights {
-  using A = Architecture;
+  using A = Architecture;  ///< the architecture's sizes
   static_assert(A::kConvKernel % 2 == 1 && A::kConvChannels % A::kHeads == 0 && A::kMlpRepeats >= 1);
+  /// A row-major array of this shape.
   template <int... Sizes>
   using Array = std::array<Scalar, static_cast<std::size_t>((Sizes * ...))>;
 
-  InputFrame frame = InputFrame::World;
-  Array<A::kChannels> normalization_mean{};  ///< force [N], moment [N m]
-  Array<A::kChannels> normalization_std{};   ///< > 0
-  Array<A::kConvChannels, A::kChannels, A::kConvKernel> convolution_weight{};
-  Array<A::kConvChannels> convolution_bias{};
-  Array<A::kSamples, A::kConvChannels> positional_embedding{};
-  Array<3, A::kConvChannels, A::kConvChannels> attention_in_proj_weight{};
-  Array<3, A::kConvChannels> attention_in_proj_bias{};
-  Array<A::kConvChannels, A::kConvChannels> attention_out_proj_weight{};
-  Array<A::kConvChannels> attention_out_proj_bias{};
-  Array<A::kMlpHidden, A::kConvChannels> mlp_0_weight{};
-  Array<A::kMlpHidden> mlp_0_bias{};
-  Array<A::kConvChannels, A::kMlpHidden> mlp_2_weight{};
-  Array<A::kConvChannels> mlp_2_bias{};
-  Array<A::kOutputs, A::kConvChannels> head_weight{};
-  Array<A::kOutputs> head_bias{};
+  InputFrame frame = InputFrame::World;                                        ///< axes of the window's pseudo-wrenches
+  Array<A::kChannels> normalization_mean{};                                    ///< force [N], moment [N m]
+  Array<A::kChannels> normalization_std{};                                     ///< > 0
+  Array<A::kConvChannels, A::kChannels, A::kConvKernel> convolution_weight{};  ///< PyTorch's shapes, here and below
+  Array<A::kConvChannels> convolution_bias{};                                  ///< per channel
+  Array<A::kSamples, A::kConvChannels> positional_embedding{};                 ///< added after the convolution
+  Array<3, A::kConvChannels, A::kConvChannels> attention_in_proj_weight{};     ///< queries, keys, values
+  Array<3, A::kConvChannels> attention_in_proj_bias{};                         ///< in that order
+  Array<A::kConvChannels, A::kConvChannels> attention_out_proj_weight{};       ///< after the heads
+  Array<A::kConvChannels> attention_out_proj_bias{};                           ///< per channel
+  Array<A::kMlpHidden, A::kConvChannels> mlp_0_weight{};                       ///< first layer of the block
+  Array<A::kMlpHidden> mlp_0_bias{};                                           ///< per hidden unit
+  Array<A::kConvChannels, A::kMlpHidden> mlp_2_weight{};                       ///< second layer
+  Array<A::kConvChannels> mlp_2_bias{};                                        ///< per channel
+  Array<A::kOutputs, A::kConvChannels> head_weight{};                          ///< to theta
+  Array<A::kOutputs> head_bias{};                                              ///< [kg], then [m]
 };
 
 /// Calls visit(name, shape, array) for each learned tensor, in the order of the members and under PyTorch's name; shape

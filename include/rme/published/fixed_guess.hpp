@@ -11,12 +11,15 @@ namespace rme {
 /// mu_prior = 0 in place of mu_prior = f_nn.
 template <typename Scalar>
 struct FixedGuess {
+  /// As MismatchNetwork::Window.
   using Window = Eigen::Matrix<Scalar, PublishedArchitecture::kSamples, PublishedArchitecture::kChannels>;
-  using Output = Vector4<Scalar>;
+  using Output = Vector4<Scalar>;  ///< theta
 
   Output theta = Output::Zero();  ///< (m [kg], r_x, r_y, r_z [m]), end-effector axes, finite
 
-  InputFrame frame() const noexcept { return InputFrame::World; }
+  InputFrame frame() const noexcept { return InputFrame::World; }  ///< of no meaning: no window is looked at
+  /// Writes theta.
+  /// @return Ok
   Status forward(const Window& /*window*/, Output& out) const noexcept {
     out = theta;
     return Status::Ok;

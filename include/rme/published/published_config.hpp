@@ -18,8 +18,8 @@ struct PublishedPipelineConfig {
   Scalar damping = Scalar(0.01);  ///< lambda of the pseudo-wrenches that the network sees, > 0
   /// Of the prior around the network's output (m [kg], r_x, r_y, r_z [m]), each > 0.
   Vector4<Scalar> standard_deviation = {Scalar(0.5), Scalar(0.02), Scalar(0.02), Scalar(0.05)};
-  PublishedLikelihoodConfig likelihood;
-  StochasticViConfig inference;
+  PublishedLikelihoodConfig likelihood;                  ///< of the samples
+  StochasticViConfig inference;                          ///< with its early stop
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
 
   /// All but the detector's settings, which the detector checks.

@@ -53,12 +53,13 @@ namespace rme {
 template <typename Scalar, int Dofs, typename Network = MismatchNetwork<float>>
 class PublishedPipeline {
  public:
-  using Config = PublishedPipelineConfig<Scalar>;
-  using State = PublishedState<Scalar>;
-  using Torque = JointVector<Scalar, Dofs>;
+  using Config = PublishedPipelineConfig<Scalar>;  ///< settings
+  using State = PublishedState<Scalar>;            ///< what it says
+  using Torque = JointVector<Scalar, Dofs>;        ///< [N m]
 
   /// @param dt       control period [s], > 0
   /// @param network  is kept by reference
+  /// @param config   the defaults are the published ones
   /// @param seed     of the random generator, a std::mt19937_64 whose draws go from one estimate on to the next
   /// @throws std::invalid_argument naming the field out of range
   PublishedPipeline(double dt, const Network& network, const Config& config = Config(), std::uint64_t seed = 1);
@@ -70,7 +71,7 @@ class PublishedPipeline {
   /// @return Ok; NonFiniteInput or NotARotation: the pipeline is then as it was, and the tick does not count
   Status update(const Proprioception<Scalar, Dofs>& sample) noexcept;
 
-  const State& state() const noexcept { return state_; }
+  const State& state() const noexcept { return state_; }  ///< after the last update()
   /// tau_comp = -J^T w(theta_hat) [N m], Dofs x 1, theta_hat the mean of the last estimate; zero before the first. For
   /// a pose that is not plausible (plausible.hpp) it is that of the last good sample's pose.
   /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
@@ -78,7 +79,7 @@ class PublishedPipeline {
   Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept;
   /// Seconds since construction or reset.
   double time() const noexcept { return static_cast<double>(ticks_) * dt_; }
-  const Config& config() const noexcept { return config_; }
+  const Config& config() const noexcept { return config_; }  ///< as constructed
   /// An empty hand and no past, and the random generator at its seed.
   void reset() noexcept;
 

@@ -27,11 +27,11 @@ constexpr const char* to_string(PublishedPhase phase) noexcept {
 /// or reset [s].
 template <typename Scalar>
 struct PublishedState {
-  PublishedPhase phase = PublishedPhase::Watching;
-  std::uint64_t detections = 0;  ///< collections begun so far
-  std::uint64_t estimates = 0;   ///< made so far
-  double detected_at = 0;        ///< tick of the last detection; of no meaning before the first
-  double estimated_at = 0;       ///< tick of the last estimate; of no meaning before the first
+  PublishedPhase phase = PublishedPhase::Watching;  ///< watching or collecting
+  std::uint64_t detections = 0;                     ///< collections begun so far
+  std::uint64_t estimates = 0;                      ///< made so far
+  double detected_at = 0;                           ///< tick of the last detection; of no meaning before the first
+  double estimated_at = 0;                          ///< tick of the last estimate; of no meaning before the first
   /// The last estimate: of everything in the hand, not of what was added last. Its covariance is diagonal. Before the
   /// first the mean is zero, an empty hand, and the covariance means nothing.
   PayloadGaussian<Scalar> posterior;

@@ -21,7 +21,7 @@ namespace rme {
 template <typename Scalar, int Dofs>
 class FrictionDirection {
  public:
-  using Vector = JointVector<Scalar, Dofs>;
+  using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
 
   /// @param dt             control period [s], > 0; whoever owns this has checked it
   /// @param rest_velocity  joints slower than this count as resting [rad/s]
@@ -37,6 +37,7 @@ class FrictionDirection {
 
   /// Advances by one period. Finite arguments only.
   /// @param tau             external torque, the observer's lag taken out [N m]
+  /// @param dq              joint velocity [rad/s]
   /// @param acceleration    of the flange, linear [m/s^2]
   /// @param payload_steady  whether, for all that is known, the payload is not just coming or going
   /// @return d; 0 for a joint of which nothing is known yet
@@ -77,6 +78,7 @@ class FrictionDirection {
     return direction_;
   }
 
+  /// Nothing is known of any joint.
   void reset() noexcept {
     started_ = false;
     hold_.setConstant(settling_);

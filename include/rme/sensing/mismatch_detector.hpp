@@ -50,7 +50,8 @@ class MismatchDetector {
  public:
   using Signal = Eigen::Matrix<double, Channels, 1>;  ///< [N m]
 
-  /// @param dt  control period [s], > 0
+  /// @param dt      control period [s], > 0
+  /// @param config  thresholds and spans
   /// @throws std::invalid_argument naming the field out of range
   explicit MismatchDetector(double dt, const MismatchDetectorConfig& config = MismatchDetectorConfig());
 
@@ -58,9 +59,9 @@ class MismatchDetector {
   /// @return Ok; NonFiniteInput, also for an entry beyond kLargestPlausible: the detector is then as it was
   Status update(const Signal& signal) noexcept;
 
-  bool rapid_change() const noexcept { return rapid_change_; }  ///< false until the window is full
-  bool stabilised() const noexcept { return stabilised_; }      ///< false until the window is full
-  bool detected() const noexcept { return rapid_change_ && stabilised_; }
+  bool rapid_change() const noexcept { return rapid_change_; }             ///< false until the window is full
+  bool stabilised() const noexcept { return stabilised_; }                 ///< false until the window is full
+  bool detected() const noexcept { return rapid_change_ && stabilised_; }  ///< both
   /// Forgets all samples: nothing is detected until a whole window has passed.
   void reset() noexcept;
 

@@ -33,9 +33,10 @@ struct MomentumObserverConfig {
 template <typename Scalar, int Dofs>
 class MomentumObserver {
  public:
-  using Vector = JointVector<Scalar, Dofs>;
+  using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
 
-  /// @param dt  control period [s], > 0
+  /// @param dt      control period [s], > 0
+  /// @param config  the gain
   /// @throws std::invalid_argument naming the field out of range; the only call that throws
   explicit MomentumObserver(Scalar dt, const MomentumObserverConfig<Scalar, Dofs>& config = {});
 

@@ -9,7 +9,9 @@ namespace rme {
 
 /// Damped pseudo-wrench W = (J J^T + lambda I)^-1 J tau_ext, in world axes (docs/theory.md (T32); paper, Section 4.1).
 /// With damping it is small rather than wild near a singularity; a Jacobian of zeros gives zero.
-/// @param damping  lambda [m^2 and rad^2 alike], > 0; the paper's value is 1e-2
+/// @param jacobian     J, 6 x Dofs, world axes, linear rows first
+/// @param tau_ext      external joint torque [N m]
+/// @param damping      lambda [m^2 and rad^2 alike], > 0; the paper's value is 1e-2
 /// @param[out] wrench  as it was unless the status is Ok
 /// @return Ok; NonFiniteInput; NotPositiveDefinite for a damping that is not > 0
 template <typename Scalar, int Dofs>

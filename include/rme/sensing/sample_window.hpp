@@ -45,20 +45,23 @@ template <typename Scalar, int Dofs>
 class SampleWindow {
  public:
   /// @param dt       control period [s], > 0
+  /// @param config   how much is kept, and the observer's bandwidth
   /// @param coulomb  friction to expect in tau_ext [N m], of which a resting joint may show less
   /// @throws std::invalid_argument naming the field out of range
   explicit SampleWindow(double dt, const SampleWindowConfig& config = SampleWindowConfig(),
                         const JointVector<Scalar, Dofs>& coulomb = JointVector<Scalar, Dofs>::Zero());
 
   /// Appends one tick. The first after construction or reset() has no predecessor: it is taken as a state at rest.
+  /// @param sample          one tick
   /// @param payload_steady  false while the payload is known to come or go (FrictionDirection)
   /// @return Ok; NonFiniteInput; NotARotation; unless Ok, the window is as it was
   Status push(const Proprioception<Scalar, Dofs>& sample, bool payload_steady = true) noexcept;
 
-  std::size_t size() const noexcept { return samples_.size(); }
-  std::size_t capacity() const noexcept { return samples_.capacity(); }
+  std::size_t size() const noexcept { return samples_.size(); }          ///< samples kept now
+  std::size_t capacity() const noexcept { return samples_.capacity(); }  ///< samples kept at most
   /// The sample `age` ticks ago, 0 being the newest. Requires age < size().
   const Sample<Scalar, Dofs>& newest(std::size_t age = 0) const noexcept { return samples_.newest(age); }
+  /// Forgets all samples.
   void reset() noexcept {
     samples_.clear();
     friction_.reset();

@@ -16,20 +16,21 @@ enum class Sensing : std::uint8_t {
   JointFriction,  ///< joint friction shows in tau_ext
   RoughModel,     ///< so does what the arm's model gets wrong: motor currents, heavy gears, quick motion
 };
-inline constexpr std::size_t kSensings = 3;
+inline constexpr std::size_t kSensings = 3;  ///< kinds of torque sensing
 
 /// Priors over the joints' nuisances, per joint. An arm's torques grow with what it lifts, so that one number scales
 /// them: the defaults are what a Panda (3 kg) shows, times rated_payload / 3 kg; the last three joints, the wrist's,
 /// have 0.4 of the others'.
 template <typename Scalar, int Dofs>
 struct ArmPrior {
-  using Vector = JointVector<Scalar, Dofs>;
+  using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
   Vector noise;     ///< standard deviation of a block's mean torque: where its learning begins [N m]
   Vector offset;    ///< standard deviation of the torque sensor's offset [N m]
   Vector residual;  ///< relative sizes of the rigid-body model's residual; their common scale is learned
   Vector coulomb;   ///< Coulomb friction to expect, give or take half of it [N m]
   Vector viscous;   ///< viscous friction to expect, give or take half of it [N m s/rad]
 
+  /// The defaults of an arm that is made for this payload [kg], > 0.
   static ArmPrior of(Scalar rated_payload) noexcept {
     Vector share = Vector::Ones();
     for (int j = Dofs > 3 ? Dofs - 3 : 0; j < Dofs; ++j) share[j] = Scalar(0.4);
@@ -42,8 +43,10 @@ struct ArmPrior {
 /// What a hand may pick up: N over phi.
 template <typename Scalar>
 struct PayloadPrior {
-  Scalar mass_mean, mass_std;         ///< [kg]
-  Vector3<Scalar> com_mean, com_std;  ///< [m], end-effector axes, from the end-effector origin
+  Scalar mass_mean;          ///< [kg]
+  Scalar mass_std;           ///< [kg]
+  Vector3<Scalar> com_mean;  ///< [m], end-effector axes, from the end-effector origin
+  Vector3<Scalar> com_std;   ///< [m]
 
   /// A quarter of the rated payload, give or take a third; 10 cm ahead of the flange and near its axis.
   static PayloadPrior of(Scalar rated_payload) noexcept {
@@ -51,6 +54,7 @@ struct PayloadPrior {
             Vector3<Scalar>(Scalar(0.06), Scalar(0.06), Scalar(0.07))};
   }
 
+  /// Mean of phi; that of the inertia is zero.
   InertialVector<Scalar> mean() const noexcept {
     InertialVector<Scalar> phi = InertialVector<Scalar>::Zero();
     phi[0] = mass_mean;
@@ -76,6 +80,7 @@ struct PayloadPrior {
     for (int i = 4; i < kInertial; ++i) L(i, i) = mass * arm;
     return L;
   }
+  /// E[m^2] [kg^2].
   Scalar square_mass() const noexcept { return mass_mean * mass_mean + mass_std * mass_std; }
 };
 

@@ -18,6 +18,7 @@ enum class EventKind : std::uint8_t {
   Pushed,     ///< something pushed; what is held is what it was
 };
 
+/// The enumerator's name, for logs.
 constexpr const char* to_string(EventKind kind) noexcept {
   switch (kind) {
     case EventKind::None:
@@ -52,10 +53,11 @@ template <typename Scalar>
 class EventMonitor {
  public:
   /// Takes in what is believed after a block.
-  /// @param begin, end  of the block [s]
-  /// @param now         when this is known [s]
-  /// @param mass        that is believed to be held [kg]
-  /// @param deviation   of it [kg]
+  /// @param probability  of each hypothesis after the block
+  /// @param begin, end   of the block [s]
+  /// @param now          when this is known [s]
+  /// @param mass         that is believed to be held [kg]
+  /// @param deviation    of it [kg]
   void update(const PerHypothesis<Scalar>& probability, double begin, double end, double now, Scalar mass,
               Scalar deviation) noexcept {
     Hypothesis likeliest = Hypothesis::Empty;
@@ -86,12 +88,12 @@ class EventMonitor {
     const bool known = exchanged_ && likeliest != Hypothesis::Pushed && end - exchanged_at_ > kKnown;
     if (quiet_ > kQuiet - 1e-9 || known) finish(empty, now, mass, deviation);
   }
-  void reset() noexcept { *this = EventMonitor(); }
+  void reset() noexcept { *this = EventMonitor(); }  ///< an empty hand, and nothing has happened
 
-  bool changing() const noexcept { return changing_; }
+  bool changing() const noexcept { return changing_; }  ///< a change is going on
   double onset() const noexcept { return onset_; }      ///< of the change that is going on [s]
   double noticed() const noexcept { return noticed_; }  ///< of the same [s]
-  const Event& last() const noexcept { return last_; }
+  const Event& last() const noexcept { return last_; }  ///< the last event that is over
   /// What is held from now on is what the host says; nothing has happened.
   void believe(bool empty) noexcept {
     changing_ = false;

@@ -17,6 +17,7 @@ struct JointFriction {
   Scalar resting = Scalar(1);         ///< share of the block that it rests
   bool stops = false;                 ///< it has come to rest, having moved before
   Scalar last_direction = Scalar(0);  ///< in which it moved last; 0 if it never has
+  /// Whether it rests, or moves in one direction, all through the block.
   bool steady() const noexcept { return resting == 1 || (resting == 0 && (direction == 1 || direction == -1)); }
 };
 
@@ -25,6 +26,7 @@ struct JointFriction {
 template <typename Scalar, int Dofs>
 class FrictionRegime {
  public:
+  /// Looks at the next block.
   void update(const TorqueBlock<Scalar, Dofs>& block) noexcept {
     using std::abs;
     using std::sqrt;
@@ -60,7 +62,9 @@ class FrictionRegime {
     const Scalar noise = block.velocity_noise.sum() / samples;
     arm_moves_ = any_creeps || block.velocity.norm() > std::max(Scalar(kArmMoves), 3 * sqrt(noise));
   }
+  /// Joint j in the last block.
   const JointFriction<Scalar>& joint(int j) const noexcept { return joints_[static_cast<std::size_t>(j)]; }
+  /// Whether joint j rested at the end of the last block.
   bool rests(int j) const noexcept { return joint_rests_[static_cast<std::size_t>(j)]; }
   /// Whether any joint moves, so that what holds a resting one may change.
   bool arm_moves() const noexcept { return arm_moves_; }

@@ -14,7 +14,7 @@ enum class Hypothesis : std::uint8_t {
   Exchanged,  ///< it is another one: attached, added to, taken off in part
   Pushed,     ///< a wrench acts beside it
 };
-inline constexpr std::size_t kHypotheses = 5;
+inline constexpr std::size_t kHypotheses = 5;  ///< enumerators of Hypothesis
 
 /// The enumerator's name, for logs.
 constexpr const char* to_string(Hypothesis hypothesis) noexcept {
@@ -36,8 +36,10 @@ constexpr const char* to_string(Hypothesis hypothesis) noexcept {
 /// A number for each hypothesis.
 template <typename Scalar>
 struct PerHypothesis {
-  std::array<Scalar, kHypotheses> values{};
+  std::array<Scalar, kHypotheses> values{};  ///< in the order of the enumerators
+  /// That of h.
   Scalar& operator[](Hypothesis h) noexcept { return values[static_cast<std::size_t>(h)]; }
+  /// That of h.
   const Scalar& operator[](Hypothesis h) const noexcept { return values[static_cast<std::size_t>(h)]; }
 };
 

@@ -26,12 +26,15 @@ namespace rme {
 template <typename Scalar, int Dofs>
 class HypothesisBank {
  public:
-  using Star = StarGaussian<Scalar, Dofs>;
+  using Star = StarGaussian<Scalar, Dofs>;  ///< what each filter is over
 
+  /// An empty hand, most likely; rated_payload in [kg], > 0.
   HypothesisBank(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm, const PayloadPrior<Scalar>& payload,
                  Scalar rated_payload) noexcept;
 
   /// Starts a block: probabilities before it is looked at (docs/theory.md (T19)).
+  /// @param block            the next one
+  /// @param regime           which joints rest in it
   /// @param exchange_likely  the host says that the payload changes now
   /// @param kind_likely      the arm may well have this kind of torque sensing
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime, bool exchange_likely,
@@ -43,11 +46,13 @@ class HypothesisBank {
   /// @return log p(block | all blocks before) [nats], up to a constant that all banks share
   Scalar finish() noexcept;
 
-  Scalar probability(Hypothesis h) const noexcept { return probability_[h]; }
+  Scalar probability(Hypothesis h) const noexcept { return probability_[h]; }  ///< after the last block
+  /// The filter of h after the last block.
   const Star& star(Hypothesis h) const noexcept { return stars_[index(h)]; }
   /// e^T S^-1 e per joint of the likeliest hypothesis that is neither an exchange nor a push, at the last block: 1 on
   /// average if the arm does what the model says (docs/theory.md (T26)).
   Scalar innovation_squared() const noexcept { return innovation_squared_; }
+  /// What has been learned of the joints' noise and residual.
   const SensorNoise<Scalar, Dofs>& noise() const noexcept { return model_.noise(); }
 
   /// Believes that `h` is so, with the given odds against all else.

@@ -13,9 +13,9 @@ namespace rme {
 /// about the end-effector origin (docs/theory.md (T10)).
 inline constexpr int kInertial = 10;
 template <typename Scalar>
-using InertialVector = Eigen::Matrix<Scalar, kInertial, 1>;
+using InertialVector = Eigen::Matrix<Scalar, kInertial, 1>;  ///< phi
 template <typename Scalar>
-using InertialMatrix = Eigen::Matrix<Scalar, kInertial, kInertial>;
+using InertialMatrix = Eigen::Matrix<Scalar, kInertial, kInertial>;  ///< covariance of phi, or a factor of it
 
 /// A rigid body on the end effector; all zero means an empty hand.
 template <typename Scalar>
@@ -24,11 +24,13 @@ struct InertialParameters {
   Vector3<Scalar> first_moment = Vector3<Scalar>::Zero();  ///< m r [kg m], end-effector axes
   Matrix3<Scalar> inertia = Matrix3<Scalar>::Zero();       ///< I [kg m^2], about the end-effector origin
 
+  /// phi, 10x1.
   InertialVector<Scalar> vector() const noexcept {
     const Matrix3<Scalar>& I = inertia;
     return (InertialVector<Scalar>() << mass, first_moment, I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2))
         .finished();
   }
+  /// The body of phi, as vector() has it.
   static InertialParameters from_vector(const InertialVector<Scalar>& phi) noexcept {
     InertialParameters out{phi[0], phi.template segment<3>(1), Matrix3<Scalar>()};
     out.inertia << phi[4], phi[5], phi[6], phi[5], phi[7], phi[8], phi[6], phi[8], phi[9];
@@ -86,6 +88,7 @@ struct InertialParameters {
 /// with a the origin's acceleration (docs/theory.md (T11, T12)).
 /// @param rotation  R, end-effector axes to world axes
 /// @param gravity   g [m/s^2], world axes
+/// @param motion    of the flange, world axes
 template <typename Scalar>
 Eigen::Matrix<Scalar, 6, kInertial> inertial_wrench_regressor(const Matrix3<Scalar>& rotation,
                                                               const Vector3<Scalar>& gravity,

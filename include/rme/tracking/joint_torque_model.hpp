@@ -22,8 +22,10 @@ namespace rme {
 template <typename Scalar, int Dofs>
 class JointTorqueModel {
  public:
-  using Star = StarGaussian<Scalar, Dofs>;
+  using Star = StarGaussian<Scalar, Dofs>;  ///< what a filter is over
 
+  /// @param sensing      kind of torque sensing
+  /// @param arm          sizes before the first sample
   /// @param inertia_arm  mean square distance of a payload's mass from the flange [m^2]
   JointTorqueModel(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm, Scalar inertia_arm) noexcept
       : sensing_(sensing), arm_(arm), inertia_arm_(inertia_arm), noise_(sensing, arm) {
@@ -50,6 +52,7 @@ class JointTorqueModel {
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime) noexcept;
   /// The nuisances' own lives over the block.
   void predict(Star& star) const noexcept;
+  /// @param j     0 .. Dofs - 1
   /// @param mass  that is held [kg]: what noise of dq makes of its inertia is noise
   JointObservation<Scalar> observation(int j, Scalar mass) const noexcept;
   /// Variance by which what holds a joint may have jumped within the block: while others move, that of a resting one
@@ -58,6 +61,7 @@ class JointTorqueModel {
     if (sensing_ == Sensing::LinkSide || regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
     return Scalar(6.25) * stiction_variance(j);
   }
+  /// Whether the arm's model is taken to be rough.
   bool rough() const noexcept { return sensing_ == Sensing::RoughModel; }
   /// Forgets what the residual has been: any that the arm may have.
   void reopen_residual(Star& star) const noexcept {
@@ -80,9 +84,9 @@ class JointTorqueModel {
              const JointVector<Scalar, Dofs>& variance) noexcept {
     noise_.learn(empty, innovation, variance, block_, regime_);
   }
-  void interrupt() noexcept { noise_.interrupt(); }
-  const SensorNoise<Scalar, Dofs>& noise() const noexcept { return noise_; }
-  const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }
+  void interrupt() noexcept { noise_.interrupt(); }                           ///< something happens: nothing is learned
+  const SensorNoise<Scalar, Dofs>& noise() const noexcept { return noise_; }  ///< what has been learned
+  const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< that begin() was given
 
  private:
   // Of the residual's variance, where the arm's model is rough: what gears hold at rest; the noise of a joint that

@@ -13,7 +13,9 @@ namespace rme {
 /// N(mean, covariance) over phi.
 template <typename Scalar>
 struct InertialGaussian {
+  /// [kg, kg m, kg m^2].
   InertialVector<Scalar> mean = InertialVector<Scalar>::Zero();
+  /// 10x10, positive semidefinite.
   InertialMatrix<Scalar> covariance = InertialMatrix<Scalar>::Zero();
 };
 

@@ -18,10 +18,11 @@ namespace rme {
 template <typename Scalar, int Dofs>
 class RemovalGuard {
  public:
-  using Vector = JointVector<Scalar, Dofs>;
+  using Vector = JointVector<Scalar, Dofs>;  ///< joint torque [N m]
 
   /// @param tau      external torque of this tick, the observer's lag taken out [N m]
   /// @param carried  torque of what is believed to be held [N m]
+  /// @param dt       since the tick before [s]
   void update(const Vector& tau, const Vector& carried, Scalar dt) noexcept {
     using std::exp;
     detail::add_scaled(average_, Scalar(1) - exp(-dt / Scalar(kAverage)), detail::difference(tau, average_));

@@ -25,8 +25,9 @@ namespace rme {
 template <typename Scalar, int Dofs>
 class SensorNoise {
  public:
-  using Vector = JointVector<Scalar, Dofs>;
+  using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
 
+  /// Learning begins at what the prior says.
   SensorNoise(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm) noexcept
       : rough_(sensing == Sensing::RoughModel),
         share_(arm.residual),
@@ -52,6 +53,8 @@ class SensorNoise {
   /// @param empty       which of the two hypotheses the innovations are of: those of two are not compared
   /// @param innovation  e [N m]
   /// @param variance    S of e [(N m)^2]
+  /// @param block       that they are of
+  /// @param regime      which joints rest in it
   void learn(bool empty, const Vector& innovation, const Vector& variance, const TorqueBlock<Scalar, Dofs>& block,
              const FrictionRegime<Scalar, Dofs>& regime) noexcept {
     using std::exp;

@@ -18,12 +18,12 @@ enum Nuisance : int {
   kResidual,  ///< of the arm's rigid-body model: wanders as the arm moves [N m]
   kStiction,  ///< friction torque of a resting joint [N m]
 };
-inline constexpr int kJointNuisances = 5;
+inline constexpr int kJointNuisances = 5;  ///< enumerators of Nuisance
 
 template <typename Scalar>
-using JointNuisanceVector = Eigen::Matrix<Scalar, kJointNuisances, 1>;
+using JointNuisanceVector = Eigen::Matrix<Scalar, kJointNuisances, 1>;  ///< beta_j, in the order of Nuisance
 template <typename Scalar>
-using JointNuisanceMatrix = Eigen::Matrix<Scalar, kJointNuisances, kJointNuisances>;
+using JointNuisanceMatrix = Eigen::Matrix<Scalar, kJointNuisances, kJointNuisances>;  ///< covariance of beta_j
 
 /// y = h^T phi + c^T beta_j + noise: the torque of one joint, averaged over a block of samples (docs/theory.md (T14)).
 template <typename Scalar>
@@ -50,25 +50,30 @@ struct JointObservation {
 template <typename Scalar, int Dofs>
 class StarGaussian {
  public:
-  using Phi = InertialVector<Scalar>;
-  using PhiMatrix = InertialMatrix<Scalar>;
-  using Beta = JointNuisanceVector<Scalar>;
-  using BetaMatrix = JointNuisanceMatrix<Scalar>;
-  using Slope = Eigen::Matrix<Scalar, kInertial, kJointNuisances>;
+  using Phi = InertialVector<Scalar>;                               ///< 10x1
+  using PhiMatrix = InertialMatrix<Scalar>;                         ///< 10x10
+  using Beta = JointNuisanceVector<Scalar>;                         ///< 5x1
+  using BetaMatrix = JointNuisanceMatrix<Scalar>;                   ///< 5x5
+  using Slope = Eigen::Matrix<Scalar, kInertial, kJointNuisances>;  ///< 10x5
+  /// beta_j given phi.
   struct Joint {
     Beta mean = Beta::Zero();                    ///< b_j
     Slope slope = Slope::Zero();                 ///< B_j^T
     BetaMatrix covariance = BetaMatrix::Zero();  ///< V_j
   };
 
-  const Phi& mean() const noexcept { return mean_; }
+  const Phi& mean() const noexcept { return mean_; }  ///< of phi
+  /// F F^T of phi.
   PhiMatrix covariance() const noexcept { return detail::outer_square(factor_); }
+  /// Variance of the mass [kg^2].
   Scalar mass_variance() const noexcept {
     Scalar sum = Scalar(0);
     for (int k = 0; k < kInertial; ++k) sum += factor_(0, k) * factor_(0, k);
     return sum;
   }
+  /// Joint j, 0 .. Dofs - 1.
   Joint& joint(int j) noexcept { return joints_[static_cast<std::size_t>(j)]; }
+  /// Joint j, 0 .. Dofs - 1.
   const Joint& joint(int j) const noexcept { return joints_[static_cast<std::size_t>(j)]; }
   /// Mean of beta_j, whatever phi is.
   Beta nuisance_mean(int j) const noexcept {
@@ -250,6 +255,7 @@ class StarGaussian {
   std::array<Joint, static_cast<std::size_t>(Dofs)> joints_;
 };
 
+/// The star with the moments of a mixture of stars.
 template <typename Scalar, int Dofs>
 template <std::size_t Count>
 StarGaussian<Scalar, Dofs> StarGaussian<Scalar, Dofs>::mix(const std::array<const StarGaussian*, Count>& parts,
@@ -293,6 +299,7 @@ StarGaussian<Scalar, Dofs> StarGaussian<Scalar, Dofs>::mix(const std::array<cons
   return out;
 }
 
+/// The same, of the nuisances alone.
 template <typename Scalar, int Dofs>
 template <std::size_t Count>
 StarGaussian<Scalar, Dofs> StarGaussian<Scalar, Dofs>::mix_emptied(const std::array<const StarGaussian*, Count>& parts,

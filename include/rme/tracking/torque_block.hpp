@@ -60,8 +60,9 @@ class BlockAverager {
   }
 
   /// Adds a sample that check() has found to be good.
-  /// @param dt    time since the sample before [s], > 0
-  /// @param time  of this sample [s]
+  /// @param sample  one tick
+  /// @param dt      time since the sample before [s], > 0
+  /// @param time    of this sample [s]
   /// @return whether block() is now a new one
   bool add(const Proprioception<Scalar, Dofs>& sample, double dt, double time) noexcept;
 

@@ -32,7 +32,10 @@ struct TrackerBelief {
 template <typename Scalar, int Dofs>
 class Tracker {
  public:
-  /// @param known  kind of torque sensing, if the host knows it; otherwise the arm is to show it
+  /// @param arm            sizes of the joints' nuisances before the first sample
+  /// @param payload        what may be picked up
+  /// @param rated_payload  [kg], > 0
+  /// @param known          kind of torque sensing, if the host knows it; otherwise the arm is to show it
   Tracker(const ArmPrior<Scalar, Dofs>& arm, const PayloadPrior<Scalar>& payload, Scalar rated_payload,
           std::optional<Sensing> known) noexcept
       : payload_(payload),
@@ -52,6 +55,7 @@ class Tracker {
   static constexpr int kSteps = static_cast<int>(kSensings * kHypotheses) + 1;
 
   /// Starts to take in a block; one that is not finished is finished first.
+  /// @param block            the next one
   /// @param exchange_likely  the host says that the payload changes now
   void begin(const TorqueBlock<Scalar, Dofs>& block, bool exchange_likely) noexcept {
     settle();
@@ -76,8 +80,9 @@ class Tracker {
         static_cast<std::size_t>(done % static_cast<int>(kHypotheses)));
     return false;
   }
-  bool busy() const noexcept { return step_ > 0; }
+  bool busy() const noexcept { return step_ > 0; }  ///< a block is being taken in
 
+  /// What is believed after the last block that was taken in whole.
   const TrackerBelief<Scalar>& belief() const noexcept { return belief_; }
   /// The bank of the likeliest kind of sensing.
   const HypothesisBank<Scalar, Dofs>& bank() const noexcept {
