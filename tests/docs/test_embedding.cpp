@@ -137,6 +137,29 @@ TEST_CASE("embedding.md: the load handed over is the payload in flange axes, and
   CHECK((franka.arm.q() - franka.pose).norm() < 2e-3);
 }
 
+TEST_CASE("embedding.md: a load that the robot has already is handed over together with the payload", "[docs]") {
+  FrankaHost franka;
+  franka::Robot robot(franka.simulation());
+  PayloadCompensation<7> payload(kPeriod, franka_config());
+  const RigidBody tool = box(0.7, {-0.02, 0.05, 0.03}, {0.05, 0.1, 0.05});
+  franka.arm.attach(tool);
+  robot.setLoad(tool.mass, {-0.02, 0.05, 0.03}, [&] {
+    std::array<double, 9> inertia;
+    Eigen::Map<Eigen::Matrix3d>(inertia.data()) = tool.inertia;
+    return inertia;
+  }());
+  REQUIRE(franka.control(robot, payload, 1000) == rme::Status::Ok);
+  CHECK(payload.estimator().state().empty());
+  franka.arm.attach(unknown_kilogram());
+  REQUIRE(franka.control(robot, payload, 2000) == rme::Status::Ok);
+  REQUIRE(hand_over(robot, franka.read(), payload));
+  const Vector wanted = torque_that_holds(unknown_kilogram() + tool, franka.arm.kinematics());
+  CHECK((torque_that_holds(franka.load, franka.arm.kinematics()) - wanted).norm() < 0.02 * wanted.norm());
+  CHECK(std::abs(franka.load.mass - 1.7) < 0.02);
+  REQUIRE(franka.control(robot, payload, 1000) == rme::Status::Ok);
+  CHECK(payload.torque().norm() < 0.05);
+}
+
 TEST_CASE("embedding.md: the inertia handed over is the payload's, in flange axes, once the arm has moved", "[docs]") {
   FrankaHost franka;
   franka.swing = 0.12;
