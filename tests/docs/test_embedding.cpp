@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 #include <string>
@@ -107,6 +109,8 @@ TEST_CASE("embedding.md: libfranka's snippet holds an unknown kilogram although 
   const Vector wanted = torque_that_holds(unknown_kilogram(), franka.arm.kinematics());
   CAPTURE(payload.torque().transpose(), wanted.transpose());
   CHECK((payload.torque() - wanted).norm() < 0.02 * wanted.norm());
+  // Packets that were lost are time that passed.
+  CHECK(std::abs(payload.estimator().state().time - franka.arm.time()) < 0.01);
 }
 
 TEST_CASE("embedding.md: the load handed over is the payload in flange axes, and rme then adds nothing", "[docs]") {
@@ -484,10 +488,17 @@ TEST_CASE("embedding.md: ros2_control's snippet allocates nothing in its loop", 
 
 TEST_CASE("hosts: the joint hold that is a plugin holds an unknown kilogram, and reports it outside its loop",
           "[docs]") {
-  // As pluginlib makes it, by the name that payload_controllers.xml has.
+  // As pluginlib makes it, by the type that payload_controllers.xml names.
   auto& classes = pluginlib::stand_in::classes<controller_interface::ControllerInterface>();
-  REQUIRE(classes.count("hosts::JointHold7") == 1);
-  REQUIRE(classes.count("hosts::JointHold6") == 1);
+  std::ifstream file(RME_TEST_DATA "/../../examples/hosts/ros2_control/payload_controllers.xml");
+  const std::string xml{std::istreambuf_iterator<char>(file), {}};
+  std::size_t described = 0;
+  for (std::size_t at = xml.find(" type=\""); at != std::string::npos; at = xml.find(" type=\"", at + 1), ++described) {
+    const std::string type = xml.substr(at + 7, xml.find('"', at + 7) - at - 7);
+    CAPTURE(type);
+    CHECK(classes.count(type) == 1);
+  }
+  CHECK(described == classes.size());
   const auto controller = classes.at("hosts::JointHold7")();
   Hardware hardware(*controller);
   const std::vector<double> stiffness = {600, 600, 600, 600, 100, 100, 50}, damping = {40, 40, 40, 40, 4, 4, 1};
