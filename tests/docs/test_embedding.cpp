@@ -1,20 +1,19 @@
-// The snippets of docs/embedding.md as a host would have them: after the platform's headers, here stand-ins.
-#include "stand_ins/libfranka.hpp"
-#include "stand_ins/pinocchio.hpp"
-#include "stand_ins/ros2_control.hpp"
-// In the order in which they build on each other.
-#include "embedding_compensation.hpp"
-#include "embedding_events.hpp"
-#include "embedding_hand_over.hpp"
-#include "embedding_libfranka.hpp"
-#include "embedding_pinocchio.hpp"
-#include "embedding_ros2_control.hpp"
-#include "embedding_settings.hpp"
+// The hosts of examples/hosts, from which docs/embedding.md has its code, here with stand-ins for their platforms.
+#include "franka_arm.hpp"
+#include "hosts/libfranka/franka_control.hpp"
+#include "hosts/ros2_control/joint_hold.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <limits>
-#include <synthetic_arm/synthetic_arm.hpp>
+#include <map>
+#include <memory>
+#include <pluginlib/class_list_macros.hpp>
+#include <string>
+#include <vector>
 
 #include "support/allocation_count.hpp"
 #include "support/catch.hpp"
@@ -24,24 +23,15 @@ namespace {
 using rme::examples::box;
 using rme::examples::panda;
 using rme::examples::RigidBody;
+using rme::testing::torque_that_holds;
+using rme::testing::unknown_kilogram;
+using namespace hosts;
 using Vector = rme::JointVector<double, 7>;
 using Arm = rme::examples::SyntheticArm<7>;
 using ArmConfig = rme::examples::SyntheticArmConfig<7>;
 
 constexpr double kPeriod = 1e-3;  // [s]
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-RigidBody unknown_kilogram() {
-  return box(1, {0.03, -0.02, 0.16}, {0.08, 0.06, 0.1});
-}
-
-/// What it takes to hold `body` where the arm is: J^T [ -m g ; -(R r) x (m g) ], written out.
-Vector torque_that_holds(const RigidBody& body, const rme::examples::Kinematics<7>& at) {
-  const Eigen::Vector3d weight(0, 0, -9.81 * body.mass);
-  rme::Vector6<double> wrench;
-  wrench << -weight, -(at.rotation * body.com).cross(weight);
-  return at.jacobian.transpose() * wrench;
-}
 
 /// A host's own controller: follows a joint trajectory, gravity left to others.
 Vector impedance(const Vector& q, const Vector& dq, const Vector& q_d, const Vector& dq_d) {
@@ -50,81 +40,33 @@ Vector impedance(const Vector& q, const Vector& dq, const Vector& q_d, const Vec
   return stiffness.cwiseProduct(q_d - q) + damping.cwiseProduct(dq_d - dq);
 }
 
-/// A Franka arm at rest: carries its own weight and the load that it was told of, and reports what torque it exerts
-/// beyond that.
-struct FrankaArm {
-  FrankaArm() {
-    // The end effector is a hand, turned and ahead of the flange.
-    F_T_EE.translate(Eigen::Vector3d(0.01, 0, 0.1034)).rotate(Eigen::AngleAxisd(-0.7854, Eigen::Vector3d::UnitZ()));
-  }
-
-  franka::RobotState read() const {
-    franka::RobotState state;
-    Eigen::Isometry3d O_T_F = Eigen::Isometry3d::Identity();
-    O_T_F.linear() = arm.kinematics().rotation;
-    O_T_F.translation() = arm.kinematics().position;
-    Eigen::Map<rme::Matrix4<double>>(state.O_T_EE.data()) = (O_T_F * F_T_EE).matrix();
-    Eigen::Map<rme::Matrix4<double>>(state.F_T_EE.data()) = F_T_EE.matrix();
-    Eigen::Map<Vector>(state.q.data()) = arm.q();
-    Eigen::Map<Vector>(state.dq.data()) = arm.dq();
-    const Vector reported = -arm.tau_ext() - torque_that_holds(load, arm.kinematics());
-    Eigen::Map<Vector>(state.tau_ext_hat_filtered.data()) =
-        ticks == spoilt_tick ? Vector(Vector::Constant(kNaN)) : reported;
-    return state;
-  }
-  void command(const franka::Torques& torques) {
-    commanded = Eigen::Map<const Vector>(torques.tau_J.data());
-    step();
-    ++ticks;
-  }
-  void step() { arm.step(commanded + arm.dynamics().gravity + torque_that_holds(load, arm.kinematics())); }
-  /// Some packets never arrive: the robot goes on with the last command.
-  std::uint64_t lose() {
-    if (loses_every == 0 || ticks == 0 || ticks % loses_every != 0) return 0;
-    for (int i = 0; i < 3; ++i) step();
-    return 3;
-  }
-  franka::Robot robot() {
-    return franka::Robot({[this] { return read(); }, [this](const franka::Torques& torques) { command(torques); },
-                          [this](double mass, const Eigen::Vector3d& com, const Eigen::Matrix3d& inertia) {
-                            load = {mass, com, inertia};
-                            ++loads_set;
-                          },
-                          [this] { return lose(); }});
-  }
-  /// Runs the snippet's control loop for a while, around a controller that holds the pose, or swings about it.
-  void control(franka::Robot& robot, PayloadCompensation<7>& payload, int duration) {
-    const int end = ticks + duration;
-    ::control(robot, franka::Model(), payload, [&](const franka::RobotState& state) {
-      franka::Torques torques = state.q;         // any: it is overwritten
-      const double phase = 4 * kPeriod * ticks;  // 4 rad/s
-      Eigen::Map<Vector>(torques.tau_J.data()) =
-          impedance(Eigen::Map<const Vector>(state.q.data()), Eigen::Map<const Vector>(state.dq.data()),
-                    pose + Vector::Constant(swing * std::sin(phase)), Vector::Constant(4 * swing * std::cos(phase)));
-      return ticks + 1 < end ? torques : franka::MotionFinished(torques);
+/// Runs the host's control loop for a while, around a controller that holds the pose, or swings about it once a second.
+struct FrankaHost : rme::testing::FrankaArm {
+  rme::Status control(franka::Robot& robot, PayloadCompensation<7>& payload, int duration) {
+    const int begin = ticks;
+    Vector last = Vector::Zero();
+    return hosts::control(robot, robot.loadModel(), payload, [&](const franka::RobotState& state) {
+      franka::Torques torques = state.q;  // any: it is overwritten
+      const double w = 6.283185307, phase = w * kPeriod * (ticks - begin);
+      const Vector wanted = impedance(
+          Eigen::Map<const Vector>(state.q.data()), Eigen::Map<const Vector>(state.dq.data()),
+          pose + Vector::Constant(swing * (1 - std::cos(phase))), Vector::Constant(w * swing * std::sin(phase)));
+      last += (wanted - last).cwiseMax(-0.5).cwiseMin(0.5);  // half of the robot's torque rate
+      Eigen::Map<Vector>(torques.tau_J.data()) = last;
+      return ticks + 1 < begin + duration ? torques : franka::MotionFinished(torques);
     });
   }
-
-  Eigen::Isometry3d F_T_EE = Eigen::Isometry3d::Identity();
-  Vector pose = panda().ready + Vector::Constant(0.1);
-  Arm arm{panda(), ArmConfig(), pose};
-  RigidBody load;
-  int loads_set = 0;
-  Vector commanded = Vector::Zero();
-  int ticks = 0;
-  int spoilt_tick = -1;
-  int loses_every = 0;
   double swing = 0;  // [rad]
 };
 
 TEST_CASE("embedding.md: libfranka's snippet holds an unknown kilogram within 2 percent", "[docs]") {
-  FrankaArm franka;
-  franka::Robot robot = franka.robot();
+  FrankaHost franka;
+  franka::Robot robot(franka.simulation());
   PayloadCompensation<7> payload(kPeriod, franka_config());
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   CHECK(payload.torque().isZero(0));
   franka.arm.attach(unknown_kilogram());
-  franka.control(robot, payload, 3000);
+  (void)franka.control(robot, payload, 3000);
 
   const Vector wanted = torque_that_holds(unknown_kilogram(), franka.arm.kinematics());
   CAPTURE(payload.torque().transpose(), wanted.transpose());
@@ -137,48 +79,53 @@ TEST_CASE("embedding.md: libfranka's snippet holds an unknown kilogram within 2 
   CHECK((R * error).head<2>().norm() < 2e-3);
 }
 
-TEST_CASE("embedding.md: libfranka's snippet ends its loop on a bad sample, and keeps the compensation", "[docs]") {
-  FrankaArm franka;
-  franka::Robot robot = franka.robot();
+TEST_CASE(
+    "embedding.md: libfranka's snippet ends its loop on a bad sample with the last command, and says which it was",
+    "[docs]") {
+  FrankaHost franka;
+  franka::Robot robot(franka.simulation());
   PayloadCompensation<7> payload(kPeriod, franka_config());
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   franka.arm.attach(unknown_kilogram());
-  franka.control(robot, payload, 2000);
-  const Vector before = payload.torque();
-  REQUIRE(before.norm() > 1);
-  franka.spoilt_tick = franka.ticks + 10;
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 2000);
+  const Vector held = payload.torque();
+  REQUIRE(held.norm() > 1);
+  franka.spoilt_tick = franka.ticks + 200;
+  CHECK(franka.control(robot, payload, 1000) == rme::Status::NonFiniteInput);
   CHECK(franka.ticks == franka.spoilt_tick + 1);
-  CHECK((payload.torque() - before).norm() < 0.01);
-  CHECK(franka.commanded.allFinite());
+  CHECK((payload.torque() - held).norm() < 0.01);
+  CHECK((franka.commanded - held).norm() < 1);  // the last command, which was all right
+  CHECK(franka.control(robot, payload, 1000) == rme::Status::Ok);
 }
 
 TEST_CASE("embedding.md: libfranka's snippet holds an unknown kilogram although packets get lost", "[docs]") {
-  FrankaArm franka;
+  FrankaHost franka;
   franka.loses_every = 7;
-  franka::Robot robot = franka.robot();
+  franka::Robot robot(franka.simulation());
   PayloadCompensation<7> payload(kPeriod, franka_config());
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   franka.arm.attach(unknown_kilogram());
-  franka.control(robot, payload, 3000);
+  (void)franka.control(robot, payload, 3000);
   const Vector wanted = torque_that_holds(unknown_kilogram(), franka.arm.kinematics());
   CAPTURE(payload.torque().transpose(), wanted.transpose());
   CHECK((payload.torque() - wanted).norm() < 0.02 * wanted.norm());
+  // Packets that were lost are time that passed.
+  CHECK(std::abs(payload.estimator().state().time - franka.arm.time()) < 0.01);
 }
 
 TEST_CASE("embedding.md: the load handed over is the payload in flange axes, and rme then adds nothing", "[docs]") {
-  FrankaArm franka;
-  franka::Robot robot = franka.robot();
+  FrankaHost franka;
+  franka::Robot robot(franka.simulation());
   PayloadCompensation<7> payload(kPeriod, franka_config());
   CHECK_FALSE(hand_over(robot, franka.read(), payload));  // there is nothing yet
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   CHECK_FALSE(hand_over(robot, franka.read(), payload));
   franka.arm.attach(unknown_kilogram());
-  franka.control(robot, payload, 60);
+  (void)franka.control(robot, payload, 60);
   CHECK_FALSE(hand_over(robot, franka.read(), payload));  // it is still coming
   CHECK(franka.loads_set == 0);
 
-  franka.control(robot, payload, 1940);
+  (void)franka.control(robot, payload, 1940);
   CHECK(hand_over(robot, franka.read(), payload));
   CHECK(franka.loads_set == 1);
   const Vector wanted = torque_that_holds(unknown_kilogram(), franka.arm.kinematics());
@@ -186,39 +133,62 @@ TEST_CASE("embedding.md: the load handed over is the payload in flange axes, and
   // By hand: the arm has rested, so that no inertia has shown; made_consistent() makes it 2 m radius^2 about any axis.
   CHECK(franka.load.inertia.diagonal().minCoeff() >= 2 * 0.02 * 0.02 * franka.load.mass * (1 - 1e-9));
 
-  franka.control(robot, payload, 10);
+  (void)franka.control(robot, payload, 10);
   CHECK(payload.torque().isZero(0));
-  franka.control(robot, payload, 2000);
+  (void)franka.control(robot, payload, 2000);
   CHECK(payload.estimator().state().empty());
   CHECK(payload.torque().norm() < 0.05);
   CHECK((franka.arm.q() - franka.pose).norm() < 2e-3);
 }
 
+TEST_CASE("embedding.md: a load that the robot has already is handed over together with the payload", "[docs]") {
+  FrankaHost franka;
+  franka::Robot robot(franka.simulation());
+  PayloadCompensation<7> payload(kPeriod, franka_config());
+  const RigidBody tool = box(0.7, {-0.02, 0.05, 0.03}, {0.05, 0.1, 0.05});
+  franka.arm.attach(tool);
+  robot.setLoad(tool.mass, {-0.02, 0.05, 0.03}, [&] {
+    std::array<double, 9> inertia;
+    Eigen::Map<Eigen::Matrix3d>(inertia.data()) = tool.inertia;
+    return inertia;
+  }());
+  REQUIRE(franka.control(robot, payload, 1000) == rme::Status::Ok);
+  CHECK(payload.estimator().state().empty());
+  franka.arm.attach(unknown_kilogram());
+  REQUIRE(franka.control(robot, payload, 2000) == rme::Status::Ok);
+  REQUIRE(hand_over(robot, franka.read(), payload));
+  const Vector wanted = torque_that_holds(unknown_kilogram() + tool, franka.arm.kinematics());
+  CHECK((torque_that_holds(franka.load, franka.arm.kinematics()) - wanted).norm() < 0.02 * wanted.norm());
+  CHECK(std::abs(franka.load.mass - 1.7) < 0.02);
+  REQUIRE(franka.control(robot, payload, 1000) == rme::Status::Ok);
+  CHECK(payload.torque().norm() < 0.05);
+}
+
 TEST_CASE("embedding.md: the inertia handed over is the payload's, in flange axes, once the arm has moved", "[docs]") {
-  FrankaArm franka;
-  franka.swing = 0.2;
-  franka::Robot robot = franka.robot();
+  FrankaHost franka;
+  franka.swing = 0.12;
+  franka::Robot robot(franka.simulation());
   PayloadCompensation<7> payload(kPeriod, franka_config());
   const RigidBody body = box(2, {0.03, -0.02, 0.16}, {0.4, 0.2, 0.1});
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   franka.arm.attach(body);
-  franka.control(robot, payload, 8000);
+  (void)franka.control(robot, payload, 8000);
   REQUIRE(hand_over(robot, franka.read(), payload));
   CAPTURE(franka.load.inertia, body.inertia);
   CHECK((franka.load.inertia - body.inertia).norm() < 0.2 * body.inertia.norm());
 }
 
 TEST_CASE("embedding.md: a handed-over load that is lost is a push to rme, which carries nothing", "[docs]") {
-  FrankaArm franka;
-  franka::Robot robot = franka.robot();
+  FrankaHost franka;
+  franka::Robot robot(franka.simulation());
   PayloadCompensation<7> payload(kPeriod, franka_config());
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   const int handle = franka.arm.attach(unknown_kilogram());
-  franka.control(robot, payload, 2000);
+  (void)franka.control(robot, payload, 2000);
   REQUIRE(hand_over(robot, franka.read(), payload));
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   franka.arm.detach(handle);
-  franka.control(robot, payload, 3000);
+  (void)franka.control(robot, payload, 3000);
   const auto& state = payload.estimator().state();
   CHECK(state.probability[rme::Hypothesis::Pushed] > 0.9);
   CHECK(state.health > 10);
@@ -227,14 +197,14 @@ TEST_CASE("embedding.md: a handed-over load that is lost is a push to rme, which
 }
 
 TEST_CASE("embedding.md: after a wrong sign nothing is carried, and health says that something is wrong", "[docs]") {
-  FrankaArm franka;
-  franka::Robot robot = franka.robot();
+  FrankaHost franka;
+  franka::Robot robot(franka.simulation());
   rme::EstimatorConfig<double, 7> config = franka_config();
   config.torque_sign = rme::TorqueSign::External;
   PayloadCompensation<7> payload(kPeriod, config);
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   franka.arm.attach(unknown_kilogram());
-  franka.control(robot, payload, 3000);
+  (void)franka.control(robot, payload, 3000);
   CHECK(payload.estimator().state().probability[rme::Hypothesis::Pushed] > 0.9);
   CHECK(payload.estimator().state().health > 10);
   CHECK(payload.estimator().state().confidence < 0.05);
@@ -242,29 +212,29 @@ TEST_CASE("embedding.md: after a wrong sign nothing is carried, and health says 
 }
 
 TEST_CASE("embedding.md: events tell a payload that came and one that went, once, and no push", "[docs]") {
-  FrankaArm franka;
-  franka::Robot robot = franka.robot();
+  FrankaHost franka;
+  franka::Robot robot(franka.simulation());
   PayloadCompensation<7> payload(kPeriod, franka_config());
   PayloadChanges changes;
   const rme::EstimatorState<double>& state = payload.estimator().state();
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   CHECK_FALSE(changes.since_last(state));
   const int handle = franka.arm.attach(unknown_kilogram());
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   CHECK(changes.since_last(state));
   CHECK_FALSE(changes.since_last(state));
   CHECK(state.event.kind == rme::EventKind::Attached);
   CHECK(std::abs(state.event.onset - 1) < 0.03);
 
   franka.arm.push({{0, 10, 0}, Eigen::Vector3d::Zero()});
-  franka.control(robot, payload, 500);
+  (void)franka.control(robot, payload, 500);
   franka.arm.push({});
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   CHECK(state.event.kind == rme::EventKind::Pushed);
   CHECK_FALSE(changes.since_last(state));
 
   franka.arm.detach(handle);
-  franka.control(robot, payload, 1000);
+  (void)franka.control(robot, payload, 1000);
   CHECK(state.event.kind == rme::EventKind::Removed);
   CHECK(changes.since_last(state));
   CHECK_FALSE(changes.since_last(state));
@@ -276,7 +246,7 @@ TEST_CASE("embedding.md: settings are read from a file, and what is wrong with t
   const std::string file = "embedding_settings.json";
   const auto read = [&](const std::string& text) {
     std::ofstream(file) << text;
-    return read_settings(file);
+    return read_settings<7>(file);
   };
   const auto settings = read(R"({"rated_payload": 12.5, "observer_bandwidth": 0, "torque_sign": "reaction"})");
   CHECK(settings.rated_payload == 12.5);
@@ -285,7 +255,7 @@ TEST_CASE("embedding.md: settings are read from a file, and what is wrong with t
   CHECK(settings.sensing == std::nullopt);
   CHECK_THROWS_WITH(read(R"({"rated_load": 12.5})"), contains("rated_load"));
   (void)std::remove(file.c_str());
-  CHECK_THROWS_WITH(read_settings(file), contains(file));
+  CHECK_THROWS_WITH(read_settings<7>(file), contains(file));
 }
 
 std::vector<std::string> joint_names() {
@@ -294,33 +264,41 @@ std::vector<std::string> joint_names() {
   return names;
 }
 
-pinocchio::Model panda_with_hand() {
-  pinocchio::Model model;
-  return pinocchio::urdf::buildModelFromXML("", model);
-}
-
-/// Hardware that reports position, velocity and torque of each joint, and nothing else.
+/// Hardware that reports position, velocity and torque of each joint, and nothing else; and the controller manager.
 struct Hardware {
   explicit Hardware(controller_interface::ControllerInterface& owner) : controller(owner) {
+    controller.get_node()->override_parameter("joints", joint_names());
+    controller.get_node()->override_parameter("end_effector", std::string("panda_link8"));
+    controller.get_node()->override_parameter("rated_payload", 3.0);
+  }
+  void activate() {
+    REQUIRE(controller.init({"payload", "<robot name='panda'/> with panda_finger_joint1, panda_finger_joint2", 1000}) ==
+            controller_interface::return_type::OK);
+    REQUIRE(controller.on_configure({}) == controller_interface::CallbackReturn::SUCCESS);
+    // Interfaces are lent by name, in the order in which the controller asks for them.
     std::vector<hardware_interface::LoanedStateInterface> states;
     std::vector<hardware_interface::LoanedCommandInterface> commands;
-    for (const double& value : state) states.emplace_back(value);
-    for (double& value : command) commands.emplace_back(value);
-    controller.get_node()->parameters.emplace("joints", rclcpp::Parameter(joint_names()));
-    controller.get_node()->parameters.emplace("end_effector", rclcpp::Parameter(std::string("panda_link8")));
-    REQUIRE(controller.on_init() == controller_interface::CallbackReturn::SUCCESS);
-    REQUIRE(controller.on_configure({}) == controller_interface::CallbackReturn::SUCCESS);
+    for (const std::string& name : controller.state_interface_configuration().names) states.emplace_back(handle(name));
+    for (const std::string& name : controller.command_interface_configuration().names)
+      commands.emplace_back(handle("command of " + name));
     controller.assign_interfaces(std::move(commands), std::move(states));
     REQUIRE(controller.on_activate({}) == controller_interface::CallbackReturn::SUCCESS);
   }
+  hardware_interface::Handle::SharedPtr handle(const std::string& name) {
+    auto& found = handles[name];
+    if (!found) found = std::make_shared<hardware_interface::Handle>(hardware_interface::Handle{name});
+    return found;
+  }
 
   controller_interface::return_type tick() {
-    for (std::size_t i = 0; i < 21; ++i) {
-      const int j = static_cast<int>(i / 3);
-      state[i] = i % 3 == 0 ? arm.q()[j] : i % 3 == 1 ? arm.dq()[j] : arm.tau_measured()[j];
+    for (int j = 0; j < 7; ++j) {
+      const std::string& name = names[static_cast<std::size_t>(j)];
+      handles.at(name + "/position")->value = arm.q()[j];
+      handles.at(name + "/velocity")->value = arm.dq()[j];
+      handles.at(name + "/effort")->value = arm.tau_measured()[j] / gains[j];
     }
-    if (torque_is_lost) state[20] = kNaN;
-    const auto result = controller.update({}, {});
+    if (torque_is_lost) handles.at("panda_joint7/effort")->value = kNaN;
+    const auto result = controller.update(rclcpp::Time(), period);
     arm.step(commanded());
     return result;
   }
@@ -330,27 +308,34 @@ struct Hardware {
     for (int k = 0; k < ticks; ++k) good += tick() == controller_interface::return_type::OK ? 1 : 0;
     return good;
   }
-  Vector commanded() const { return Eigen::Map<const Vector>(command.data()); }
+  Vector commanded() const {
+    Vector tau;
+    for (int j = 0; j < 7; ++j)
+      tau[j] = handles.at("command of " + names[static_cast<std::size_t>(j)] + "/effort")->value;
+    return tau;
+  }
 
   controller_interface::ControllerInterface& controller;
   Arm arm{panda(), ArmConfig(), panda().ready};
-  std::array<double, 21> state{};
-  std::array<double, 7> command{};
+  std::map<std::string, hardware_interface::Handle::SharedPtr> handles;
+  const std::vector<std::string> names = joint_names();
+  const rclcpp::Duration period = rclcpp::Duration::from_seconds(kPeriod);
+  Vector gains = Vector::Ones();  // [N m] for what `effort` is in
   bool torque_is_lost = false;
 };
 
 /// The user's side of the ros2_control snippet: swings the joints.
-class SwingingController : public PayloadController {
+class SwingingController : public PayloadController<7> {
  public:
   Vector nominal = Vector::Zero();
+  double spoilt = 0;  // a controller's own mistake
 
  protected:
-  Vector nominal_torque(const Vector& q, const Vector& dq) override {
+  Vector nominal_torque(const Vector& q, const Vector& dq, const Vector& gravity) override {
     const double phase = 3 * kPeriod * ticks_++;  // 3 rad/s
     const Vector amplitude = Vector::Constant(0.15);
-    nominal = impedance(q, dq, panda().ready + amplitude * std::sin(phase), 3 * amplitude * std::cos(phase)) +
-              panda().dynamics(q, dq).gravity;
-    return nominal;
+    nominal = impedance(q, dq, panda().ready + amplitude * std::sin(phase), 3 * amplitude * std::cos(phase)) + gravity;
+    return nominal + Vector::Constant(spoilt);
   }
 
  private:
@@ -360,6 +345,7 @@ class SwingingController : public PayloadController {
 TEST_CASE("embedding.md: ros2_control's snippet holds an unknown kilogram within 2 percent on a moving arm", "[docs]") {
   SwingingController controller;
   Hardware hardware(controller);
+  hardware.activate();
   REQUIRE(hardware.run(1000) == 1000);
   CHECK((hardware.commanded() == controller.nominal));
   hardware.arm.attach(unknown_kilogram());
@@ -371,9 +357,29 @@ TEST_CASE("embedding.md: ros2_control's snippet holds an unknown kilogram within
   CHECK((compensation - wanted).norm() < 0.02 * wanted.norm());
 }
 
-TEST_CASE("embedding.md: ros2_control's snippet claims its interfaces in the order in which it reads them", "[docs]") {
+TEST_CASE("embedding.md: ros2_control's snippet takes motor currents, with the gains and settings of check_arm",
+          "[docs]") {
   SwingingController controller;
-  const Hardware hardware(controller);
+  Hardware hardware(controller);
+  hardware.gains = (Vector() << -11, -12, -9, -10, -8, -7, -6).finished();  // the sign is in the settings
+  const std::string file = "embedding_currents.json";
+  std::ofstream(file) << R"({"rated_payload": 3, "torque_sign": "reaction"})";
+  controller.get_node()->override_parameter("settings", file);
+  controller.get_node()->override_parameter("gains", std::vector<double>{11, 12, 9, 10, 8, 7, 6});
+  hardware.activate();
+  (void)std::remove(file.c_str());
+  REQUIRE(hardware.run(1000) == 1000);
+  hardware.arm.attach(unknown_kilogram());
+  REQUIRE(hardware.run(3001) == 3001);
+  const Vector wanted = torque_that_holds(unknown_kilogram(), hardware.arm.kinematics());
+  CHECK((hardware.commanded() - controller.nominal - wanted).norm() < 0.02 * wanted.norm());
+}
+
+TEST_CASE("embedding.md: ros2_control's snippet asks for its interfaces in the order in which it reads them",
+          "[docs]") {
+  SwingingController controller;
+  Hardware hardware(controller);
+  hardware.activate();
   const auto states = controller.state_interface_configuration();
   REQUIRE(states.names.size() == 21);
   CHECK(states.type == controller_interface::interface_configuration_type::INDIVIDUAL);
@@ -383,17 +389,38 @@ TEST_CASE("embedding.md: ros2_control's snippet claims its interfaces in the ord
   CHECK(controller.command_interface_configuration().names[6] == "panda_joint7/effort");
 }
 
-TEST_CASE("embedding.md: ros2_control's snippet refuses a frame or a joint that the model lacks", "[docs]") {
-  std::vector<std::string> six = joint_names();
+TEST_CASE("embedding.md: ros2_control's snippet refuses what it cannot work with, and says why", "[docs]") {
+  std::vector<std::string> six = joint_names(), wrong = joint_names();
   six.pop_back();
-  for (const bool wrong_frame : {true, false}) {
-    CAPTURE(wrong_frame);
+  wrong[3] = "elbow";
+  struct Case {
+    const char* parameter;
+    rclcpp::Parameter::Value value;
+    const char* said;
+  };
+  for (const Case& c :
+       {Case{"end_effector", std::string("flange"), "no frame flange"}, Case{"joints", six, "expected 7 names"},
+        Case{"joints", wrong, "no joint elbow"}, Case{"gains", std::vector<double>(6, 1), "expected 7 numbers"},
+        Case{"rated_payload", 0.0, "rated_payload"}, Case{"rated_payload", -3.0, "rated_payload"},
+        Case{"settings", std::string("nowhere.json"), "nowhere.json"}}) {
+    CAPTURE(c.parameter, c.said);
     SwingingController controller;
-    controller.get_node()->parameters.emplace("joints", rclcpp::Parameter(wrong_frame ? joint_names() : six));
-    controller.get_node()->parameters.emplace("end_effector",
-                                              rclcpp::Parameter(std::string(wrong_frame ? "flange" : "panda_link8")));
-    REQUIRE(controller.on_init() == controller_interface::CallbackReturn::SUCCESS);
+    const Hardware hardware(controller);
+    controller.get_node()->overrides[c.parameter] = rclcpp::Parameter(c.parameter, c.value);
+    REQUIRE(controller.init({"payload", "<robot/>", 1000}) == controller_interface::return_type::OK);
     CHECK(controller.on_configure({}) == controller_interface::CallbackReturn::ERROR);
+    CHECK_THAT(*controller.get_node()->get_logger().last, contains(c.said));
+  }
+  for (const unsigned int rate : {0u, 40u, 1000u}) {  // 40 Hz is too slow; in the last, the description is no URDF
+    CAPTURE(rate);
+    SwingingController controller;
+    const Hardware hardware(controller);
+    REQUIRE(controller.init({"payload", rate == 1000 ? "" : "<robot/>", rate}) ==
+            controller_interface::return_type::OK);
+    CHECK(controller.on_configure({}) == controller_interface::CallbackReturn::ERROR);
+    CHECK_THAT(*controller.get_node()->get_logger().last, contains(rate == 0    ? "update_rate"
+                                                                   : rate == 40 ? "gain"
+                                                                                : "URDF"));
   }
 }
 
@@ -401,6 +428,7 @@ TEST_CASE("embedding.md: ros2_control's snippet survives four bad samples with i
           "[docs]") {
   SwingingController controller;
   Hardware hardware(controller);
+  hardware.activate();
   REQUIRE(hardware.run(100) == 100);
   const Vector last = hardware.commanded();
   hardware.torque_is_lost = true;
@@ -413,79 +441,90 @@ TEST_CASE("embedding.md: ros2_control's snippet survives four bad samples with i
   CHECK(hardware.run(5) == 4);
 }
 
+TEST_CASE("embedding.md: ros2_control's snippet commands no NaN of the controller's own", "[docs]") {
+  SwingingController controller;
+  Hardware hardware(controller);
+  hardware.activate();
+  REQUIRE(hardware.run(100) == 100);
+  const Vector last = hardware.commanded();
+  controller.spoilt = kNaN;
+  CHECK(hardware.run(5) == 4);
+  CHECK((hardware.commanded() == last));
+}
+
+TEST_CASE("embedding.md: ros2_control's snippet counts a command that was not taken as one bad sample", "[docs]") {
+  SwingingController controller;
+  Hardware hardware(controller);
+  hardware.activate();
+  REQUIRE(hardware.run(100) == 100);
+  for (auto& [name, handle] : hardware.handles) handle->locked = name == "command of panda_joint1/effort";
+  CHECK(hardware.run(4) == 4);
+  for (auto& [name, handle] : hardware.handles) handle->locked = name == "panda_joint3/velocity";
+  CHECK(hardware.run(1) == 0);
+  for (auto& [name, handle] : hardware.handles) handle->locked = false;
+  CHECK(hardware.run(1) == 1);
+}
+
 TEST_CASE("embedding.md: ros2_control's snippet allocates nothing in its loop", "[docs]") {
 #ifdef RME_COUNTS_ALLOCATIONS
   SwingingController controller;
   Hardware hardware(controller);
-  int good = hardware.run(1000);
-  const int before = rme::testing::allocations();
-  hardware.arm.attach(unknown_kilogram());  // allocates once
-  good += hardware.run(2000);
-  CHECK(rme::testing::allocations() - before <= 1);
-  CHECK(good == 3000);
+  hardware.activate();
+  hardware.run(100);
+  int good = 0, allocated = 0;
+  hardware.arm.attach(unknown_kilogram());
+  for (int k = 0; k < 2000; ++k) {
+    hardware.run(1);
+    const int before = rme::testing::allocations();
+    good += controller.update(rclcpp::Time(), hardware.period) == controller_interface::return_type::OK ? 1 : 0;
+    allocated += rme::testing::allocations() - before;
+  }
+  CHECK(allocated == 0);
+  CHECK(good == 2000);
 #else
   WARN("allocations are not counted here");
 #endif
 }
 
-TEST_CASE("embedding.md: Pinocchio's snippet sees what a moving arm's own observer, Jacobian and pose say", "[docs]") {
-  Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
-  PinocchioSensing sensing(arm_of(panda_with_hand(), joint_names()), "panda_link8", kPeriod);
-  arm.attach(unknown_kilogram());
-  for (int k = 0; k < 200; ++k) {
-    rme::Proprioception<double, 7> sample;
-    REQUIRE(sensing.update(arm.q(), arm.dq(), arm.tau_measured(), sample) == rme::Status::Ok);
-    CAPTURE(k, arm.dq().transpose());
-    // C^T dq takes another way through the stand-in's matrix, which costs some digits.
-    REQUIRE((sample.tau_ext - arm.tau_ext()).norm() < 1e-9);
-    REQUIRE((sample.jacobian == arm.kinematics().jacobian));
-    REQUIRE((sample.rotation == arm.kinematics().rotation));
-    REQUIRE((sample.dq == arm.dq()));
-    arm.step(arm.dynamics().gravity);
-  }
-}
-
-TEST_CASE("embedding.md: Pinocchio's snippet refuses a model with fingers, and a frame that there is not", "[docs]") {
-  CHECK_THROWS_WITH(PinocchioSensing(panda_with_hand(), "panda_link8", kPeriod), contains("other joints"));
-  const pinocchio::Model arm = arm_of(panda_with_hand(), joint_names());
-  CHECK_THROWS_WITH(PinocchioSensing(arm, "flange", kPeriod), contains("flange"));
-  std::vector<std::string> other_order = joint_names();
-  std::swap(other_order[0], other_order[1]);
-  CHECK_THROWS_WITH(arm_of(panda_with_hand(), other_order), contains("order"));
-}
-
-TEST_CASE("embedding.md: a payload that Pinocchio's model carries no longer shows in tau_ext, at rest and in motion",
+TEST_CASE("hosts: the joint hold that is a plugin holds an unknown kilogram, and reports it outside its loop",
           "[docs]") {
-  Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
-  PinocchioSensing sensing(arm_of(panda_with_hand(), joint_names()), "panda_link8", kPeriod);
-  arm.attach(unknown_kilogram());
-  const RigidBody body = unknown_kilogram();
-  sensing.carry(rme::InertialParameters<double>::of_body({body.mass, body.com}, body.inertia));
-  rme::Proprioception<double, 7> sample;
-  for (int k = 0; k < 200; ++k) {
-    REQUIRE(sensing.update(arm.q(), arm.dq(), arm.tau_measured(), sample) == rme::Status::Ok);
-    if (k == 100) CHECK(arm.dq().norm() > 1);
-    arm.step(arm.dynamics().gravity);
+  // As pluginlib makes it, by the type that payload_controllers.xml names.
+  auto& classes = pluginlib::stand_in::classes<controller_interface::ControllerInterface>();
+  std::ifstream file(RME_TEST_DATA "/../../examples/hosts/ros2_control/payload_controllers.xml");
+  const std::string xml{std::istreambuf_iterator<char>(file), {}};
+  std::size_t described = 0;
+  for (std::size_t at = xml.find(" type=\""); at != std::string::npos; at = xml.find(" type=\"", at + 1), ++described) {
+    const std::string type = xml.substr(at + 7, xml.find('"', at + 7) - at - 7);
+    CAPTURE(type);
+    CHECK(classes.count(type) == 1);
   }
-  CHECK(arm.tau_ext().norm() > 1);
-  CHECK(sample.tau_ext.norm() < 1e-3);
+  CHECK(described == classes.size());
+  const auto controller = classes.at("hosts::JointHold7")();
+  Hardware hardware(*controller);
+  const std::vector<double> stiffness = {600, 600, 600, 600, 100, 100, 50}, damping = {40, 40, 40, 40, 4, 4, 1};
+  controller->get_node()->override_parameter("stiffness", stiffness);
+  controller->get_node()->override_parameter("damping", damping);
+  hardware.activate();
+  const Vector pose = hardware.arm.q();
+  REQUIRE(hardware.run(1000) == 1000);
+  const std::string& said = *controller->get_node()->get_logger().last;
+  REQUIRE(controller->get_node()->timers.size() == 1);
+  controller->get_node()->timers[0]->execute_callback();
+  CHECK(said.empty());
+  hardware.arm.attach(unknown_kilogram());
+  REQUIRE(hardware.run(3000) == 3000);
+  CHECK((hardware.arm.q() - pose).norm() < 2e-3);
+  controller->get_node()->timers[0]->execute_callback();
+  CHECK_THAT(said, contains("payload: 1.00"));
 }
 
-TEST_CASE("embedding.md: an observer without the compensation in its torque sees half of the mass", "[docs]") {
-  Arm arm(panda(), ArmConfig(), panda().ready);
-  PinocchioSensing sensing(arm_of(panda_with_hand(), joint_names()), "panda_link8", kPeriod);
-  PayloadCompensation<7> payload(kPeriod);
-  Vector without = Vector::Zero();
-  for (int k = 0; k < 4000; ++k) {
-    if (k == 1000) arm.attach(unknown_kilogram());
-    rme::Proprioception<double, 7> sample;
-    REQUIRE(sensing.update(arm.q(), arm.dq(), without, sample) == rme::Status::Ok);
-    REQUIRE(payload.update(sample) == rme::Status::Ok);
-    without = impedance(arm.q(), arm.dq(), panda().ready, Vector::Zero()) + arm.dynamics().gravity;
-    arm.step(without + payload.torque());
-  }
-  CHECK(std::abs(payload.estimator().state().payload.mean[0] - 0.5) < 0.05);
-  CHECK(payload.estimator().state().health < 10);
+TEST_CASE("hosts: the joint hold refuses a stiffness of another length", "[docs]") {
+  hosts::JointHold7 controller;
+  Hardware hardware(controller);
+  controller.get_node()->override_parameter("stiffness", std::vector<double>(6, 100));
+  REQUIRE(controller.init({"payload", "<robot/>", 1000}) == controller_interface::return_type::OK);
+  CHECK(controller.on_configure({}) == controller_interface::CallbackReturn::ERROR);
+  CHECK_THAT(*controller.get_node()->get_logger().last, contains("expected 7 numbers each"));
 }
 
 /// What is believed of a kilogram on a resting arm whose observer has 50 rad/s.

@@ -1,0 +1,44 @@
+#pragma once
+// libfranka's model of the arm, here the synthetic one.
+#include "franka/robot.h"
+
+namespace franka {
+
+enum class Frame { kFlange, kEndEffector };
+
+class Model {
+ public:
+  Model(Model&&) noexcept = default;
+  Model& operator=(Model&&) noexcept = default;
+
+  /// 6x7, column-major.
+  std::array<double, 42> zeroJacobian(Frame frame, const RobotState& state) const {
+    const auto at = rme::examples::panda().kinematics(Eigen::Map<const rme::JointVector<double, 7>>(state.q.data()));
+    const auto F_T_EE = Eigen::Map<const rme::Matrix4<double>>(state.F_T_EE.data());
+    std::array<double, 42> out;
+    auto jacobian = Eigen::Map<rme::Jacobian<double, 7>>(out.data());
+    jacobian = at.jacobian;
+    if (frame == Frame::kEndEffector)  // v_EE = v_F + omega x (R p)
+      jacobian.topRows<3>() -= rme::skew(at.rotation * F_T_EE.topRightCorner<3, 1>()) * at.jacobian.bottomRows<3>();
+    return out;
+  }
+  std::array<double, 7> coriolis(const RobotState& state) const noexcept {
+    using Vector = rme::JointVector<double, 7>;
+    std::array<double, 7> out;
+    Eigen::Map<Vector>(out.data()) =
+        rme::examples::panda()
+            .dynamics(Eigen::Map<const Vector>(state.q.data()), Eigen::Map<const Vector>(state.dq.data()))
+            .coriolis;
+    return out;
+  }
+
+ private:
+  friend class Robot;  // there, too, a model comes from a robot alone
+  Model() = default;
+};
+
+inline Model Robot::loadModel() {
+  return Model();
+}
+
+}  // namespace franka

@@ -1,0 +1,23 @@
+#pragma once
+#include "pinocchio/multibody/model.hpp"
+
+namespace pinocchio {
+
+/// C with C dq and C^T dq as they are: the one of least norm that has both.
+template <typename Q, typename V>
+const Eigen::MatrixXd& computeCoriolisMatrix(const Model& model, Data& data, const Eigen::MatrixBase<Q>& q,
+                                             const Eigen::MatrixBase<V>& v) {
+  stand_in::check_size(q.size(), model.nq);
+  stand_in::check_size(v.size(), model.nv);
+  const Eigen::Matrix<double, 7, 1> dq = stand_in::of_arm(v);
+  const auto dynamics = model.arm.dynamics(stand_in::of_arm(q), dq);
+  const double vv = dq.squaredNorm();
+  data.C.setZero();
+  if (vv > 0)
+    data.C.topLeftCorner<7, 7>().noalias() =
+        (dynamics.coriolis * dq.transpose() + dq * dynamics.coriolis_transpose.transpose()) / vv -
+        dq * (dq.dot(dynamics.coriolis) / (vv * vv)) * dq.transpose();
+  return data.C;
+}
+
+}  // namespace pinocchio

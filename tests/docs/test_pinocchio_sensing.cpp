@@ -1,0 +1,239 @@
+// examples/hosts/pinocchio/pinocchio_sensing.hpp, from which docs/embedding.md has its code. Built against a stand-in
+// for Pinocchio, and, where it is found, against Pinocchio itself.
+#include "hosts/pinocchio/pinocchio_sensing.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <pinocchio/parsers/urdf.hpp>
+#include <string>
+#include <synthetic_arm/panda.hpp>
+#include <synthetic_arm/synthetic_arm.hpp>
+#include <utility>
+#include <vector>
+
+#include "hosts/payload_compensation.hpp"
+#include "support/allocation_count.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using rme::examples::box;
+using rme::examples::panda;
+using rme::examples::RigidBody;
+using Vector = rme::JointVector<double, 7>;
+using Arm = rme::examples::SyntheticArm<7>;
+using ArmConfig = rme::examples::SyntheticArmConfig<7>;
+using namespace hosts;
+
+constexpr double kPeriod = 1e-3;  // [s]
+
+RigidBody unknown_kilogram() {
+  return box(1, {0.03, -0.02, 0.16}, {0.08, 0.06, 0.1});
+}
+
+std::vector<std::string> joint_names() {
+  std::vector<std::string> names;
+  for (int j = 1; j <= 7; ++j) names.push_back("panda_joint" + std::to_string(j));
+  return names;
+}
+
+std::string panda_urdf() {
+  std::ifstream file(RME_TEST_DATA "/urdf/panda.urdf");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+pinocchio::Model model_of(const std::string& urdf) {
+  pinocchio::Model model;
+  pinocchio::urdf::buildModelFromXML(urdf, model);
+  return model;
+}
+
+/// Two fingers on the flange, without mass.
+pinocchio::Model panda_with_hand() {
+  std::string urdf = panda_urdf();
+  for (const char* number : {"1", "2"}) {
+    const std::string finger =
+        std::string("<link name=\"panda_finger") + number + "\"/><joint name=\"panda_finger_joint" + number +
+        "\" type=\"prismatic\"><parent link=\"panda_link8\"/><child link=\"panda_finger" + number +
+        "\"/><axis xyz=\"0 1 0\"/><limit lower=\"0\" upper=\"0.04\" effort=\"20\" "
+        "velocity=\"0.2\"/></joint>";
+    urdf.insert(urdf.find("</robot>"), finger);
+  }
+  return model_of(urdf);
+}
+
+pinocchio::Model panda_arm() {
+  return arm_of(panda_with_hand(), joint_names());
+}
+
+TEST_CASE("Pinocchio's host sees what a moving arm's own observer, Jacobian and pose say", "[docs]") {
+  Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
+  PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod);
+  arm.attach(unknown_kilogram());
+  for (int k = 0; k < 200; ++k) {
+    rme::Proprioception<double, 7> sample;
+    REQUIRE(sensing.update(arm.q(), arm.dq(), arm.tau_measured(), kPeriod, sample) == rme::Status::Ok);
+    CAPTURE(k, arm.dq().transpose());
+    // Momenta differ in their last digits, and the observer divides by a millisecond.
+    REQUIRE((sample.tau_ext - arm.tau_ext()).norm() < 1e-8);
+    REQUIRE((sample.jacobian - arm.kinematics().jacobian).norm() < 1e-12);
+    REQUIRE((sample.rotation - arm.kinematics().rotation).norm() < 1e-12);
+    REQUIRE((sensing.gravity() - arm.dynamics().gravity).norm() < 1e-10);
+    REQUIRE((sample.dq == arm.dq()));
+    REQUIRE(sample.period == kPeriod);
+    arm.step(arm.dynamics().gravity);
+  }
+}
+
+TEST_CASE("Pinocchio's host takes ticks that were lost as time that passed", "[docs]") {
+  // An arm that falls, so that its momentum changes; three of four samples never arrive.
+  Arm arm(panda(), ArmConfig(), panda().ready);
+  PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod), unaware(panda_arm(), "panda_link8", kPeriod);
+  rme::Proprioception<double, 7> sample, other;
+  for (int k = 0; k <= 200; ++k) {
+    if (k % 4 == 0) {
+      REQUIRE(sensing.update(arm.q(), arm.dq(), arm.tau_measured(), k == 0 ? 0 : 4 * kPeriod, sample) ==
+              rme::Status::Ok);
+      REQUIRE(unaware.update(arm.q(), arm.dq(), arm.tau_measured(), 0, other) == rme::Status::Ok);
+    }
+    arm.step(Vector(0.5 * arm.dynamics().gravity));
+  }
+  CHECK(arm.tau_ext().norm() < 1e-3);  // nothing touches it
+  CHECK(other.tau_ext.norm() > 10);
+  CHECK(sample.tau_ext.norm() < 0.5);
+}
+
+TEST_CASE("Pinocchio's host takes motor current, of either sign, and an arm on a wall", "[docs]") {
+  rme::EstimatorConfig<double, 7> config;
+  config.torque_sign = rme::TorqueSign::Reaction;
+  config.gravity = {9.81, 0, 0};
+  rme::examples::ArmModel<7> on_wall = panda();
+  on_wall.gravity_vector = config.gravity;
+  Arm arm(on_wall, ArmConfig(), panda().ready, Vector::Constant(1));
+  arm.attach(unknown_kilogram());
+  const Vector gains = (Vector() << 11, 12, 9, 10, 8, 7, 6).finished();
+  PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod, config, gains);
+  rme::Proprioception<double, 7> sample;
+  for (int k = 0; k < 200; ++k) {
+    const Vector current = -arm.tau_measured().cwiseQuotient(gains);
+    REQUIRE(sensing.update(arm.q(), arm.dq(), current, kPeriod, sample) == rme::Status::Ok);
+    if (k < 199) arm.step(arm.dynamics().gravity);
+  }
+  CHECK(arm.tau_ext().norm() > 1);
+  CHECK((sample.tau_ext + arm.tau_ext()).norm() < 1e-8);  // reaction: the estimator turns it round
+}
+
+TEST_CASE("Pinocchio's host refuses a bad sample, and is as it was", "[docs]") {
+  Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
+  PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod);
+  rme::Proprioception<double, 7> sample;
+  arm.attach(unknown_kilogram());
+  Vector spoilt = Vector::Zero();
+  spoilt[3] = std::numeric_limits<double>::quiet_NaN();
+  for (int k = 0; k < 100; ++k) {
+    REQUIRE(sensing.update(arm.q(), arm.dq(), arm.tau_measured(), kPeriod, sample) == rme::Status::Ok);
+    const Vector before = sample.tau_ext;
+    for (const int which : {0, 1, 2}) {
+      const Vector q = which == 0 ? spoilt : arm.q(), dq = which == 1 ? spoilt : arm.dq();
+      CHECK(sensing.update(q, dq, which == 2 ? spoilt : arm.tau_measured(), kPeriod, sample) ==
+            rme::Status::NonFiniteInput);
+    }
+    CHECK((sample.tau_ext == before));
+    CHECK((before - arm.tau_ext()).norm() < 1e-8);
+    arm.step(arm.dynamics().gravity);
+  }
+}
+
+TEST_CASE("Pinocchio's host refuses another number of joints, and names them", "[docs]") {
+  CHECK_THROWS_WITH(PinocchioSensing<7>(panda_with_hand(), "panda_link8", kPeriod),
+                    contains("expected 7 joints (nv), got nv = 9: panda_joint1, ") && contains("panda_finger_joint2") &&
+                        contains("arm_of()"));
+  CHECK_THROWS_WITH(PinocchioSensing<6>(panda_arm(), "panda_link8", kPeriod),
+                    contains("expected 6 joints (nv), got nv = 7"));
+}
+
+TEST_CASE("Pinocchio's host refuses a continuous joint, and names it", "[docs]") {
+  std::string urdf = panda_urdf();
+  const std::string revolute = "\"panda_joint5\" type=\"revolute\"";
+  REQUIRE(urdf.find(revolute) != std::string::npos);
+  urdf.replace(urdf.find(revolute), revolute.size(), "\"panda_joint5\" type=\"continuous\"");
+  CHECK_THROWS_WITH(PinocchioSensing<7>(model_of(urdf), "panda_link8", kPeriod),
+                    contains("nq = 7") && contains("got nq = 8: panda_joint5 has 2"));
+}
+
+TEST_CASE("Pinocchio's host refuses a frame that the model lacks, and lists those that it has", "[docs]") {
+  CHECK_THROWS_WITH(PinocchioSensing<7>(panda_arm(), "flange", kPeriod),
+                    contains("no frame flange; it has ") && contains("panda_link8"));
+}
+
+TEST_CASE("Pinocchio's host refuses joints that the model lacks, or has in another order, and names them", "[docs]") {
+  std::vector<std::string> names = joint_names();
+  names[2] = "elbow";
+  CHECK_THROWS_WITH(arm_of(panda_with_hand(), names), contains("no joint elbow; it has panda_joint1, "));
+  names = joint_names();
+  std::swap(names[0], names[1]);
+  CHECK_THROWS_WITH(arm_of(panda_with_hand(), names), contains("got panda_joint2, panda_joint1, panda_joint3"));
+}
+
+TEST_CASE("Pinocchio's host allocates nothing in its loop", "[docs]") {
+#ifdef RME_COUNTS_ALLOCATIONS
+  Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
+  PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod);
+  rme::Proprioception<double, 7> sample;
+  int good = 0, allocated = 0;
+  for (int k = 0; k < 100; ++k) {
+    const int before = rme::testing::allocations();
+    good += sensing.update(arm.q(), arm.dq(), arm.tau_measured(), k % 5 * kPeriod, sample) == rme::Status::Ok ? 1 : 0;
+    allocated += rme::testing::allocations() - before;
+    arm.step(arm.dynamics().gravity);
+  }
+  CHECK(good == 100);
+  CHECK(allocated == 0);
+#else
+  WARN("allocations are not counted here");
+#endif
+}
+
+TEST_CASE("A payload that Pinocchio's model carries no longer shows in tau_ext, at rest and in motion", "[docs]") {
+  Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
+  PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod);
+  arm.attach(unknown_kilogram());
+  const RigidBody body = unknown_kilogram();
+  sensing.carry(rme::InertialParameters<double>::of_body({body.mass, body.com}, body.inertia));
+  rme::Proprioception<double, 7> sample;
+  for (int k = 0; k < 200; ++k) {
+    REQUIRE(sensing.update(arm.q(), arm.dq(), arm.tau_measured(), kPeriod, sample) == rme::Status::Ok);
+    if (k == 100) CHECK(arm.dq().norm() > 1);
+    arm.step(arm.dynamics().gravity);
+  }
+  CHECK(arm.tau_ext().norm() > 1);
+  CHECK(sample.tau_ext.norm() < 1e-3);
+}
+
+/// A host's own controller: holds a pose, gravity left to others.
+Vector impedance(const Vector& q, const Vector& dq) {
+  const Vector stiffness = (Vector() << 600, 600, 600, 600, 100, 100, 50).finished();
+  const Vector damping = (Vector() << 40, 40, 40, 40, 4, 4, 1).finished();
+  return stiffness.cwiseProduct(panda().ready - q) - damping.cwiseProduct(dq);
+}
+
+TEST_CASE("An observer without the compensation in its torque sees half of the mass", "[docs]") {
+  Arm arm(panda(), ArmConfig(), panda().ready);
+  PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod);
+  PayloadCompensation<7> payload(kPeriod);
+  Vector without = Vector::Zero();
+  for (int k = 0; k < 4000; ++k) {
+    if (k == 1000) arm.attach(unknown_kilogram());
+    rme::Proprioception<double, 7> sample;
+    REQUIRE(sensing.update(arm.q(), arm.dq(), without, kPeriod, sample) == rme::Status::Ok);
+    REQUIRE(payload.update(sample) == rme::Status::Ok);
+    without = impedance(arm.q(), arm.dq()) + arm.dynamics().gravity;
+    arm.step(without + payload.torque());
+  }
+  CHECK(std::abs(payload.estimator().state().payload.mean[0] - 0.5) < 0.05);
+  CHECK(payload.estimator().state().health < 10);
+}
+
+}  // namespace
