@@ -2,6 +2,7 @@
 /// The object that a host owns: fed each tick, it knows what is in the hand, and says what torque carries it.
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <rme/control/compensation.hpp>
 #include <rme/core/plausible.hpp>
 #include <rme/core/small_matrix.hpp>
@@ -70,7 +71,7 @@ class Estimator {
 
   const Config& config() const noexcept { return config_; }  ///< as constructed
   /// As constructed: what was learned of the arm is forgotten, too.
-  void reset() noexcept { *this = Estimator(dt_, config_); }
+  void reset() noexcept;
 
  private:
   static constexpr double kExpected = 0.3;  // for which a change that the host announced is waited for [s]
@@ -113,6 +114,15 @@ Estimator<Scalar, Dofs>::Estimator(double dt, const Config& config)
   const int ticks = static_cast<int>(BlockAverager<Scalar, Dofs>::kDuration / dt / 4);
   steps_per_tick_ = Tracker<Scalar, Dofs>::kSteps / std::max(1, ticks) + 1;
   publish();
+}
+
+template <typename Scalar, int Dofs>
+void Estimator<Scalar, Dofs>::reset() noexcept {
+  // In place: another one of a hundred kilobytes and more is no load for the stack of a control thread.
+  const double dt = dt_;
+  const Config config = config_;
+  this->~Estimator();
+  ::new (static_cast<void*>(this)) Estimator(dt, config);
 }
 
 template <typename Scalar, int Dofs>

@@ -57,6 +57,7 @@
 #include <rme/published/published_config.hpp>
 #include <rme/published/published_pipeline.hpp>
 #include <rme/published/published_state.hpp>
+#include <rme/runtime_estimator.hpp>
 #include <rme/sensing/friction_direction.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/momentum_observer.hpp>

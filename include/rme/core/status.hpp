@@ -15,6 +15,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
     NotConverged,         ///< the bound on iterations was reached; the best iterate is returned
     Infeasible,           ///< hard constraints contradict each other; the answer with the least violation is returned
     CapacityExceeded,     ///< no room for more in storage fixed at compile time
+    WrongSize,            ///< a vector or a matrix has not the size that was agreed on at construction
 };
 
 /// The enumerator's name, for logs.
@@ -36,6 +37,8 @@ constexpr const char* to_string(Status status) noexcept {
       return "Infeasible";
     case Status::CapacityExceeded:
       return "CapacityExceeded";
+    case Status::WrongSize:
+      return "WrongSize";
   }
   return "unknown";
 }

@@ -172,8 +172,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   if (!exact_) refine();
 }
 
-/// One step of iterative refinement on the active constraints. The correction is added to x as it is, not to a sum,
-/// where it would drown in the same rounding.
+/// One step of iterative refinement on the active constraints. The correction goes to x: in a sum it would drown.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
   const Vector moved = x_ - *x_u_;
@@ -229,8 +228,7 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(const Active& a) noexcept {
   return true;
 }
 
-/// What rounding may leave of the orthogonal part of g - sum_k r_k g_k, in machine epsilons: B n is a sum with terms as
-/// large as |B| |n|.
+/// Rounding of g - sum_k r_k g_k's orthogonal part, in machine epsilons: B n has terms as large as |B| |n|.
 template <typename Scalar, int Size, int MaxRows>
 Scalar ActiveSetSolver<Scalar, Size, MaxRows>::noise(const Active& a, const Column& r) const noexcept {
   Vector sum = a.normal.cwiseAbs();

@@ -1,0 +1,179 @@
+#pragma once
+/// What HypothesisBank does with one hypothesis: what it begins with, and what the block says of it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <rme/tracking/hypothesis_bank.hpp>
+
+namespace rme {
+
+/// What is known of an arm in which `to` begins, having been in `from`. A change has gone on for a while before it is
+/// noticed, and nuisances have taken on a share of it: what follows a change starts from before. An exchange that turns
+/// out to be a push was none: what was held before it is held still.
+template <typename Scalar, int Dofs>
+auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const noexcept -> const Star& {
+  const auto h = static_cast<Hypothesis>(from);
+  const bool change = to == Hypothesis::Exchanged || (to == Hypothesis::Empty && h != to) ||
+                      (to == Hypothesis::Pushed && h == Hypothesis::Exchanged);
+  return change ? before_ : stars_[from];
+}
+
+/// What the filters said of the nuisances and the payload before this block, as far as each leads to `h`
+/// (docs/theory.md (T20)).
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
+  const bool anew = h == Hypothesis::Empty || h == Hypothesis::Exchanged;  // whatever the payload was before
+  std::array<Scalar, kHypotheses> weight{};
+  Scalar sum = Scalar(0);
+  std::size_t parts = 0, last = index(h);
+  for (std::size_t from = 0; from < kHypotheses; ++from) {
+    const Scalar w = static_cast<Scalar>(kTransitions[from][index(h)]) * probability_.values[from];
+    if (!(w > Scalar(kNegligible) * predicted_[h])) continue;
+    weight[from] = w;
+    sum += w;
+    last = from;
+    ++parts;
+  }
+  Star& out = next(h);
+  if (parts <= 1 || h == Hypothesis::Exchanged) {
+    out = source(last, h);
+    if (anew) out.empty_payload();
+    if (h == Hypothesis::Exchanged && model_.rough()) model_.reopen_residual(out);
+    return;
+  }
+  std::array<const Star*, kHypotheses> from{};
+  for (std::size_t i = 0; i < kHypotheses; ++i) {
+    weight[i] /= sum;
+    from[i] = &source(i, h);
+  }
+  out = anew ? Star::mix_emptied(from, weight) : Star::mix(from, weight);
+}
+
+/// Takes the block in, joint by joint.
+/// @return log likelihood
+template <typename Scalar, int Dofs>
+Scalar HypothesisBank<Scalar, Dofs>::update(Star& star) noexcept {
+  using std::exp;
+  using std::log;
+  const auto h = static_cast<std::size_t>(&star - next_.data());
+  const Scalar mass = std::min(std::max(star.mean()[0], Scalar(0)), rated_);
+  Scalar log_likelihood = Scalar(0), squared = Scalar(0);
+  for (int j = 0; j < Dofs; ++j) {
+    auto p = star.predict(j, model_.observation(j, mass));
+    const Scalar square = p.innovation * p.innovation;
+    const auto log_density = [square](Scalar variance) { return Scalar(-0.5) * (square / variance + log(variance)); };
+    if (const Scalar jump = model_.stiction_jump(j); jump > 0) {  // both, by their likelihoods
+      const Scalar stays = log_density(p.variance), jumps = log_density(p.variance + jump);
+      const Scalar share = Scalar(1) / (Scalar(1) + exp(std::min(Scalar(80), stays - jumps)));
+      log_likelihood += std::max(stays, jumps) + log(Scalar(1) + exp(-std::abs(stays - jumps)));
+      star.joint(j).covariance(kStiction, kStiction) += share * jump;
+      p = star.predict(j, model_.observation(j, mass));
+    } else {
+      log_likelihood += log_density(p.variance);
+    }
+    squared += square / p.variance;
+    innovation_.values[h][j] = p.innovation;
+    variance_.values[h][j] = p.variance;
+    star.observe(j, p);
+  }
+  squared_.values[h] = squared / Scalar(Dofs);
+  return log_likelihood;
+}
+
+/// phi is drawn anew from the prior. How heavy it is, the block itself says best: once for the mass, and once more with
+/// the prior of m r that belongs to that mass.
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::evaluate_exchange(Star& star) noexcept {
+  const Hypothesis h = Hypothesis::Exchanged;
+  const Star base = star;
+  star.replace_payload(payload_.mean(), payload_.factor(payload_.square_mass()));
+  (void)update(star);
+  const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, star.mean()[0]));
+  star = base;
+  star.replace_payload(payload_.mean(), payload_.factor(mass * mass));
+  likelihood_[h] = update(star);
+  likelihood_[h] += log_plausible(star);
+}
+
+/// A push says nothing of the payload, and nothing is learned from the block: only how likely it is, with a wrench
+/// w ~ N(0, S) beside the payload, J^T S J more noise.
+template <typename Scalar, int Dofs>
+Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept {
+  constexpr int n = Dofs;
+  Eigen::Matrix<Scalar, n, n> S;
+  JointVector<Scalar, Dofs> e, independent;
+  Eigen::Matrix<Scalar, n, kInertial> spread;
+  Eigen::Matrix<Scalar, n, 6> wrench;
+  const Scalar force = Scalar(4) * rated_, moment = Scalar(0.5) * rated_;  // [N], [N m]: 12 and 1.5 on a Panda
+  for (int j = 0; j < n; ++j) {
+    auto p = star.predict(j, model_.observation(j, star.mean()[0]));
+    e[j] = p.innovation;
+    independent[j] = p.given_payload;
+    for (int i = 0; i < kInertial; ++i) spread(j, i) = p.spread[i];
+    for (int i = 0; i < 6; ++i) wrench(j, i) = (i < 3 ? force : moment) * model_.block().jacobian(i, j);
+  }
+  S = detail::outer_square(spread);
+  S += detail::outer_square(wrench);
+  Scalar largest = Scalar(0);
+  for (int j = 0; j < n; ++j) {
+    S(j, j) += independent[j];
+    largest = std::max(largest, S(j, j));
+  }
+  // What rounding may take off a pivot: torques that no wrench makes are known a hundred times better than those that
+  // one does, which is as far as a float's square reaches.
+  for (int j = 0; j < n; ++j) S(j, j) += 16 * Eigen::NumTraits<Scalar>::epsilon() * largest;
+  const Cholesky<Scalar, n> factor(S);
+  if (!factor.positive_definite()) return -std::numeric_limits<Scalar>::infinity();  // out of the question
+  const JointVector<Scalar, Dofs> white = factor.solve_lower(e);
+  const Scalar squared = detail::dot(white, white);
+  squared_[Hypothesis::Pushed] = squared / Scalar(n);
+  return Scalar(-0.5) * squared - factor.log_det_lower();
+}
+
+/// Covariance of what is poured in within a block: any mass, with its centre about where the payload's is.
+template <typename Scalar, int Dofs>
+InertialMatrix<Scalar> HypothesisBank<Scalar, Dofs>::filling(const Star& star) const noexcept {
+  using std::sqrt;
+  constexpr double kRate = 0.0027;  // of the rated payload, in a block of 20 ms
+  const Scalar mass = Scalar(kRate) * rated_ * sqrt(model_.block().duration / Scalar(0.02));
+  const Scalar held = star.mean()[0];
+  Vector4<Scalar> poured;  // (m, m r) of a body of this mass
+  poured[0] = mass;
+  for (int i = 0; i < 3; ++i) {
+    const Scalar off = 3 * payload_.com_std[i];
+    const Scalar com = held > Scalar(0.007) * rated_ ? star.mean()[1 + i] / held - payload_.com_mean[i] : Scalar(0);
+    poured[1 + i] = mass * (payload_.com_mean[i] + std::max(-off, std::min(off, com)));
+  }
+  InertialMatrix<Scalar> Q = InertialMatrix<Scalar>::Zero();
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) Q(i, j) = poured[i] * poured[j];
+  for (int i = 0; i < 3; ++i) {
+    const Scalar spread = Scalar(0.3) * payload_.com_std[i] * mass;
+    Q(1 + i, 1 + i) += spread * spread;
+  }
+  if (held > Scalar(0.02) * rated_) {
+    // As little as is known of where the payload's centre is, is known of what comes to it; block after block the same.
+    const InertialMatrix<Scalar> P = star.covariance();
+    const Scalar share = Scalar(0.6) * mass / held, known = Scalar(1) / std::max(P(0, 0), Scalar(1e-12));
+    for (int i = 1; i < 4; ++i)
+      for (int j = 1; j < 4; ++j) Q(i, j) += share * (P(i, j) - P(i, 0) * P(0, j) * known);
+  }
+  const Scalar inertia = mass * detail::dot(payload_.com_mean, payload_.com_mean);
+  for (int i = 4; i < kInertial; ++i) Q(i, i) = inertia * inertia;
+  return Q;
+}
+
+template <typename Scalar, int Dofs>
+Scalar HypothesisBank<Scalar, Dofs>::log_plausible(const Star& star) const noexcept {
+  using std::erfc;
+  using std::log;
+  using std::sqrt;
+  const Scalar deviation = sqrt(std::max(star.mass_variance(), Scalar(1e-12)));
+  const auto below = [&](Scalar m) { return Scalar(0.5) * erfc((star.mean()[0] - m) / (deviation * sqrt(Scalar(2)))); };
+  constexpr double kLightest = 0.007, kHeaviest = 1.2;  // of the rated payload: 20 g on a Panda
+  return log(std::max(Scalar(1e-30), below(Scalar(kHeaviest) * rated_) - below(Scalar(kLightest) * rated_)));
+}
+
+}  // namespace rme

@@ -1,0 +1,139 @@
+#include <array>
+#include <cmath>
+#include <rme/runtime_estimator.hpp>
+#include <string>
+#include <type_traits>
+
+#include "support/catch.hpp"
+
+// Compiled with the program replay_log, for all numbers of joints.
+extern template class rme::Estimator<double, 4>;
+extern template class rme::Estimator<double, 5>;
+extern template class rme::Estimator<double, 6>;
+extern template class rme::Estimator<double, 8>;
+
+namespace {
+
+using namespace rme;
+using Runtime = RuntimeEstimator<double>;
+
+/// Samples of a made-up arm that moves, and gets a kilogram after half a second.
+template <int Dofs>
+Proprioception<double, Dofs> sample_at(int tick) {
+  const double t = 1e-3 * tick;
+  Proprioception<double, Dofs> sample;
+  const double angle = 0.3 * std::sin(t);
+  sample.rotation << std::cos(angle), 0, std::sin(angle), 0, 1, 0, -std::sin(angle), 0, std::cos(angle);
+  for (int j = 0; j < Dofs; ++j) {
+    for (int i = 0; i < 6; ++i) sample.jacobian(i, j) = std::sin(1.0 + i + 2 * j + 0.2 * std::sin(t));
+    sample.dq[j] = 0.01 * std::cos(t + j);
+  }
+  const double mass = tick > 500 ? 1 : 0;
+  sample.tau_ext = -compensation_torque<double, Dofs>({mass, {0.01, 0, 0.1}}, sample.jacobian, sample.rotation);
+  for (int j = 0; j < Dofs; ++j) sample.tau_ext[j] += 0.01 * std::sin(1.7 * tick * (j + 1));
+  sample.period = tick % 7 == 0 ? 0.002 : 0;
+  return sample;
+}
+
+template <int Dofs>
+void check_equal() {
+  CAPTURE(Dofs);
+  EstimatorConfig<double, Dofs> fixed;
+  Runtime::Config config;
+  fixed.rated_payload = config.rated_payload = 5;
+  fixed.arm = ArmPrior<double, Dofs>::of(4);
+  config.arm = ArmPrior<double, Eigen::Dynamic>{fixed.arm->noise, fixed.arm->offset, fixed.arm->residual,
+                                                fixed.arm->coulomb, fixed.arm->viscous};
+  Estimator<double, Dofs> expected(0.001, fixed);
+  Runtime estimator(Dofs, 0.001, config);
+  REQUIRE(estimator.joints() == Dofs);
+  Eigen::VectorXd buffer(3 * Dofs), torque(Dofs);
+  for (int tick = 0; tick < 1500; ++tick) {
+    if (tick == 700) {
+      expected.inhibit(true);
+      estimator.inhibit(true);
+    }
+    if (tick == 900) {
+      expected.inhibit(false);
+      estimator.inhibit(false);
+    }
+    const auto sample = sample_at<Dofs>(tick);
+    // As hosts hold them: parts of a longer vector, and a Jacobian by rows.
+    buffer << sample.tau_ext, sample.dq, sample.tau_ext;
+    const Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor> jacobian = sample.jacobian;
+    const std::array<double, 9> rotation = [&] {
+      std::array<double, 9> out;
+      Eigen::Map<Matrix3<double>>(out.data()) = sample.rotation;
+      return out;
+    }();
+    const Eigen::Map<const Eigen::Matrix3d> R(rotation.data());
+    REQUIRE(expected.update(sample) == Status::Ok);
+    REQUIRE(estimator.update(buffer.head(Dofs), jacobian, R, buffer.segment(Dofs, Dofs), sample.period) == Status::Ok);
+    REQUIRE(estimator.compensation(jacobian, R, torque) == Status::Ok);
+    REQUIRE(torque == expected.compensation(sample.jacobian, sample.rotation));
+  }
+  CHECK(estimator.state().payload.mean == expected.state().payload.mean);
+  CHECK(estimator.state().payload.covariance == expected.state().payload.covariance);
+  CHECK(estimator.state().time == expected.state().time);
+  CHECK(estimator.state().event.kind == EventKind::Attached);
+  CHECK(std::abs(estimator.state().payload.mean[0] - 1) < 0.05);
+
+  const PayloadGaussian<double> said = {{0.4, 0, 0, 0.1}, Eigen::Vector4d(1e-4, 1e-4, 1e-4, 1e-4).asDiagonal()};
+  REQUIRE(estimator.set_payload(said) == Status::Ok);
+  CHECK(std::abs(estimator.state().payload.mean[0] - 0.4) < 0.02);
+  estimator.declare_empty();
+  CHECK(estimator.state().empty());
+  estimator.reset();
+  CHECK(estimator.state().time == 0);
+  CHECK(estimator.state().event.number == 0);
+}
+
+TEST_CASE("RuntimeEstimator: for 4 to 8 joints it believes and commands what Estimator does, to the last bit",
+          "[runtime_estimator]") {
+  check_equal<4>();
+  check_equal<5>();
+  check_equal<6>();
+  check_equal<7>();
+  check_equal<8>();
+}
+
+TEST_CASE("RuntimeEstimator: a vector or matrix of another size is refused, and changes nothing",
+          "[runtime_estimator]") {
+  Runtime estimator(6, 0.001);
+  const auto sample = sample_at<6>(0);
+  const Eigen::VectorXd tau = sample.tau_ext, dq = sample.dq;
+  const Eigen::MatrixXd J = sample.jacobian;
+  REQUIRE(estimator.update(tau, J, sample.rotation, dq) == Status::Ok);
+  const Eigen::VectorXd seven = Eigen::VectorXd::Zero(7), none;
+  const Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(6, 7), flat = Eigen::MatrixXd::Zero(3, 6);
+  CHECK(estimator.update(seven, J, sample.rotation, dq) == Status::WrongSize);
+  CHECK(estimator.update(none, J, sample.rotation, dq) == Status::WrongSize);
+  CHECK(estimator.update(tau.transpose(), J, sample.rotation, dq) == Status::WrongSize);
+  CHECK(estimator.update(tau, wide, sample.rotation, dq) == Status::WrongSize);
+  CHECK(estimator.update(tau, flat, sample.rotation, dq) == Status::WrongSize);
+  CHECK(estimator.update(tau, J, sample.rotation, seven) == Status::WrongSize);
+  CHECK(estimator.update(tau, J, Matrix3<double>::Zero(), dq) == Status::NotARotation);
+  CHECK(estimator.state().time == 0.001);
+
+  Eigen::VectorXd torque = Eigen::VectorXd::Constant(6, 3), longer = Eigen::VectorXd::Constant(7, 3);
+  CHECK(estimator.compensation(wide, sample.rotation, torque) == Status::WrongSize);
+  CHECK(estimator.compensation(J, sample.rotation, longer) == Status::WrongSize);
+  CHECK(torque == Eigen::VectorXd::Constant(6, 3));
+  CHECK(longer == Eigen::VectorXd::Constant(7, 3));
+}
+
+TEST_CASE("RuntimeEstimator: what it cannot be is refused by name at construction", "[runtime_estimator]") {
+  CHECK_THROWS_WITH(Runtime(3, 0.001), contains("RuntimeEstimator::joints: expected 4 to 8, got 3"));
+  CHECK_THROWS_WITH(Runtime(9, 0.001), contains("RuntimeEstimator::joints: expected 4 to 8, got 9"));
+  CHECK_THROWS_WITH((RuntimeEstimator<double, 6, 7>(8, 0.001)), contains("expected 6 to 7, got 8"));
+  CHECK_THROWS_WITH(Runtime(6, 0), contains("Estimator::dt"));
+  Runtime::Config config;
+  config.rated_payload = -1;
+  CHECK_THROWS_WITH(Runtime(6, 0.001, config), contains("EstimatorConfig::rated_payload"));
+  config.rated_payload = 3;
+  const Eigen::VectorXd six = Eigen::VectorXd::Ones(6);
+  config.arm = ArmPrior<double, Eigen::Dynamic>{six, six, six, Eigen::VectorXd::Ones(7), six};
+  CHECK_THROWS_WITH(Runtime(6, 0.001, config), contains("ArmPrior::coulomb: expected 6 numbers, one per joint, got 7"));
+}
+
+}  // namespace
