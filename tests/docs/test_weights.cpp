@@ -1,4 +1,4 @@
-// The code of docs/weights.md, on the shipped model.
+// The code of weights.md, run on the shipped model.
 #include <Eigen/Core>
 #include <fstream>
 #include <nlohmann/json.hpp>
