@@ -3,10 +3,9 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <rme/core/sum_of_logs.hpp>
+#include <rme/core/unroll.hpp>
 
 namespace rme {
-
-// The loops are unrolled even where a compiler would not do so at -O2: so short, they are mostly mispredicted branches.
 
 /// A = L L^T of a symmetric positive definite matrix, of which the lower triangle is read. Real time: Size^3 / 6
 /// multiplications, no allocation.
@@ -18,18 +17,18 @@ class Cholesky {
   /// Factorises A; positive_definite() says whether that worked.
   explicit Cholesky(const Matrix& A) noexcept {
     using std::sqrt;
-#pragma GCC unroll 8
+    RME_UNROLL
     for (int j = 0; j < Size; ++j) {
       Scalar pivot = A(j, j);
-#pragma GCC unroll 8
+      RME_UNROLL
       for (int k = 0; k < j; ++k) pivot -= L_(j, k) * L_(j, k);
       if (!(pivot > 0)) return;
       L_(j, j) = sqrt(pivot);
       inverse_diagonal_[j] = Scalar(1) / L_(j, j);
-#pragma GCC unroll 8
+      RME_UNROLL
       for (int i = j + 1; i < Size; ++i) {
         Scalar sum = A(i, j);
-#pragma GCC unroll 8
+        RME_UNROLL
         for (int k = 0; k < j; ++k) sum -= L_(i, k) * L_(j, k);
         L_(i, j) = sum * inverse_diagonal_[j];
       }
@@ -38,24 +37,18 @@ class Cholesky {
   }
 
   /// Unless this holds, nothing else does.
-  bool positive_definite() const noexcept {
-    return positive_definite_;
-  }
+  bool positive_definite() const noexcept { return positive_definite_; }
   /// L, lower triangular: zero above the diagonal.
-  const Matrix& lower() const noexcept {
-    return L_;
-  }
+  const Matrix& lower() const noexcept { return L_; }
   /// log det L, half that of A.
-  Scalar log_det_lower() const noexcept {
-    return sum_of_logs(L_.diagonal());
-  }
+  Scalar log_det_lower() const noexcept { return sum_of_logs(L_.diagonal()); }
 
   /// L^-1 X.
   template <int Columns>
   Eigen::Matrix<Scalar, Size, Columns> solve_lower(Eigen::Matrix<Scalar, Size, Columns> X) const noexcept {
-#pragma GCC unroll 8
+    RME_UNROLL
     for (int i = 0; i < Size; ++i) {
-#pragma GCC unroll 8
+      RME_UNROLL
       for (int k = 0; k < i; ++k)
         for (int c = 0; c < Columns; ++c) X(i, c) -= L_(i, k) * X(k, c);
       for (int c = 0; c < Columns; ++c) X(i, c) *= inverse_diagonal_[i];
@@ -67,9 +60,9 @@ class Cholesky {
   template <int Columns>
   Eigen::Matrix<Scalar, Size, Columns> solve(const Eigen::Matrix<Scalar, Size, Columns>& X) const noexcept {
     Eigen::Matrix<Scalar, Size, Columns> Y = solve_lower(X);
-#pragma GCC unroll 8
+    RME_UNROLL
     for (int i = Size - 1; i >= 0; --i) {
-#pragma GCC unroll 8
+      RME_UNROLL
       for (int k = i + 1; k < Size; ++k)
         for (int c = 0; c < Columns; ++c) Y(i, c) -= L_(k, i) * Y(k, c);
       for (int c = 0; c < Columns; ++c) Y(i, c) *= inverse_diagonal_[i];
@@ -80,24 +73,24 @@ class Cholesky {
   /// A^-1, symmetric to the last bit.
   Matrix inverse() const noexcept {
     Matrix inverse_lower = Matrix::Zero();
-#pragma GCC unroll 8
+    RME_UNROLL
     for (int j = 0; j < Size; ++j) {
       inverse_lower(j, j) = inverse_diagonal_[j];
-#pragma GCC unroll 8
+      RME_UNROLL
       for (int i = j + 1; i < Size; ++i) {
         Scalar sum = Scalar(0);
-#pragma GCC unroll 8
+        RME_UNROLL
         for (int k = j; k < i; ++k) sum -= L_(i, k) * inverse_lower(k, j);
         inverse_lower(i, j) = sum * inverse_diagonal_[i];
       }
     }
     Matrix out;
-#pragma GCC unroll 8
+    RME_UNROLL
     for (int j = 0; j < Size; ++j) {
-#pragma GCC unroll 8
+      RME_UNROLL
       for (int i = j; i < Size; ++i) {
         Scalar sum = Scalar(0);
-#pragma GCC unroll 8
+        RME_UNROLL
         for (int k = i; k < Size; ++k) sum += inverse_lower(k, i) * inverse_lower(k, j);
         out(i, j) = out(j, i) = sum;
       }

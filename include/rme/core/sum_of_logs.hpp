@@ -2,6 +2,7 @@
 /// A sum of logarithms by fewer of them: each costs as much as some thirty multiplications.
 #include <Eigen/Core>
 #include <cmath>
+#include <rme/core/unroll.hpp>
 
 namespace rme {
 
@@ -14,7 +15,7 @@ typename Vector::Scalar sum_of_logs(const Eigen::DenseBase<Vector>& x) noexcept 
   using Scalar = typename Vector::Scalar;
   constexpr int size = Vector::SizeAtCompileTime;
   Scalar sum = Scalar(0);
-#pragma GCC unroll 8
+  RME_UNROLL
   for (int i = 0; i < size; i += 3) {
     Scalar product = x.coeff(i);
     if (i + 1 < size) product *= x.coeff(i + 1);
