@@ -172,7 +172,8 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   held.covariance *= excess;
   const Scalar empty = belief.probability[Hypothesis::Empty], mass = held.mean[0];
   // Of an empty hand or, with what probability is left, of one that holds `held`.
-  const Scalar least = Scalar(1e-4) * config_.rated_payload;  // as little as that hides behind an offset
+  // As little as that hides behind an offset; of an empty hand more, since nothing has shown its mass.
+  const Scalar least = Scalar(state_.empty() ? 3e-4 : 1e-4) * config_.rated_payload;
   const Scalar variance = (Scalar(1) - empty) * (held.covariance(0, 0) + empty * mass * mass);
   held.mean[0] = (Scalar(1) - empty) * mass;
   if (state_.empty()) {
