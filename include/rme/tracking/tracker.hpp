@@ -132,7 +132,7 @@ class Tracker {
   static constexpr double kHostIsRight = 0.999;
   // Friction that is taken for weight does more harm than friction that is looked for in vain; of arms whose model is
   // rough, one is to be convinced.
-  static constexpr std::array<double, kSensings> kEvidence = {-10, 0, -40};  // before the first sample [nats]
+  static constexpr std::array<double, kSensings> kEvidence = {-8, 0, -40};  // before the first sample [nats]
   static constexpr double kDecided = 300;  // an arm that was serviced is recognised after some seconds of motion [nats]
   static constexpr double kLargestHealth = 100;
   static constexpr double kPushed = 0.9;     // of the weight, that a push takes
