@@ -39,8 +39,8 @@ class RuntimeEstimator {
   static_assert(1 <= Fewest && Fewest <= Most, "RuntimeEstimator: numbers of joints, from the fewest to the most");
 
  public:
-  using Vector = JointVector<Scalar, Eigen::Dynamic>;
-  using Config = EstimatorConfig<Scalar, Eigen::Dynamic>;
+  using Vector = JointVector<Scalar, Eigen::Dynamic>;      ///< of joint torques or velocities
+  using Config = EstimatorConfig<Scalar, Eigen::Dynamic>;  ///< its settings
 
   /// @param joints  of the arm, Fewest to Most
   /// @param dt      nominal control period [s], above 0 and at most 0.02

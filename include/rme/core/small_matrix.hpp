@@ -8,7 +8,7 @@
 
 namespace rme::detail {
 
-/// Column j of a matrix, as vectors of processors like it.
+/// Column j of a matrix, of which Eigen makes vector instructions.
 template <typename Scalar, int Rows, int Columns>
 Eigen::Map<const Eigen::Matrix<Scalar, Rows, 1>> column(const Eigen::Matrix<Scalar, Rows, Columns>& A, int j) noexcept {
   return Eigen::Map<const Eigen::Matrix<Scalar, Rows, 1>>(A.data() + j * Rows);

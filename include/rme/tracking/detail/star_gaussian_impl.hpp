@@ -6,6 +6,7 @@
 
 namespace rme {
 
+/// The star with the moments of a mixture of stars.
 template <typename Scalar, int Dofs>
 template <std::size_t Count>
 StarGaussian<Scalar, Dofs> StarGaussian<Scalar, Dofs>::mix(const std::array<const StarGaussian*, Count>& parts,
