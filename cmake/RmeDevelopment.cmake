@@ -33,6 +33,14 @@ function(rme_add_test file)
   add_dependencies(tests_${folder} ${target})
 endfunction()
 
+# rme_add_skipped_test(NAME PACKAGE...): stands for what cannot run here for want of packages (Debian's names), which
+# tests/run.sh reads out of its output.
+function(rme_add_skipped_test name)
+  list(JOIN ARGN " " packages)
+  add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: needs ${packages}")
+  set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped: needs")
+endfunction()
+
 # rme_extract_snippet(DOCUMENT NAME OUTPUT): the code block after "<!-- snippet: NAME -->" in a Markdown file, so that what
 # a reader copies is what the tests build. Reconfigures when the document changes.
 function(rme_extract_snippet document name output)

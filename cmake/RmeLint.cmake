@@ -10,8 +10,7 @@ if(RME_CLANG_FORMAT)
   add_custom_target(format-check COMMAND ${RME_CLANG_FORMAT} --dry-run --Werror ${rme_sources} VERBATIM)
   add_test(NAME lint.format COMMAND ${RME_CLANG_FORMAT} --dry-run --Werror ${rme_sources})
 else()
-  add_test(NAME lint.format COMMAND ${CMAKE_COMMAND} -E echo "skipped: no clang-format-${rme_clang_version} here")
-  set_tests_properties(lint.format PROPERTIES SKIP_REGULAR_EXPRESSION "skipped")
+  rme_add_skipped_test(lint.format clang-format-${rme_clang_version})
 endif()
 
 # Takes minutes, so it is a target and no test. clang-tidy cannot read g++'s precompiled header, hence a configuration

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# Builds everything with AddressSanitizer and UndefinedBehaviorSanitizer into build-asan-ubsan/ and runs the test suite.
-# Options are passed on to ctest. Left out is what would say nothing:
-#  - the checks of headers, package, format and documentation, which run no code of their own;
+# Builds the tests with AddressSanitizer and UndefinedBehaviorSanitizer into build-asan-ubsan/ and runs them. Options are
+# passed on to ctest. Left out is what would say nothing that the rest does not:
+#  - the checks of headers, package, format and documentation;
 #  - the counting of allocations, and memcheck: a sanitizer brings a heap of its own;
-#  - the drawing of the arm, most of which is an OpenGL driver's, and the training, most of which is Python's;
+#  - what runs a program rather than the library's or the examples' functions, with the programs: the experiments, the
+#    replays, the drawing, the training; of the programs those that read files and are quick to compile stay;
+#  - other libraries' physics and dynamics, which are not instrumented;
 #  - most of the soak.
 # shellcheck source=cmake/setup.sh
 source "$(dirname "$0")/../cmake/setup.sh"

@@ -2,6 +2,7 @@
 // Precompiled for the examples, the tests and the benchmarks: what most of them include, and what most of them
 // instantiate, which rme.cpp does once for all. A program that does not see this file compiles just the same.
 #include <Eigen/Dense>
+#include <random>
 #include <rme/control/barriers.hpp>
 #include <rme/control/cpic.hpp>
 #include <rme/control/passive_controller.hpp>
@@ -10,10 +11,12 @@
 #include <rme/inference/mean_field.hpp>
 #include <rme/inference/payload_statistics.hpp>
 #include <rme/inference/sensor_model.hpp>
+#include <rme/inference/stochastic_vi.hpp>
 #include <rme/network/mismatch_network.hpp>
 #include <rme/network/network_prior.hpp>
 #include <rme/published/published_pipeline.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
+#include <rme/sensing/pseudo_wrench.hpp>
 #include <rme/sensing/sample_window.hpp>
 
 namespace rme {
@@ -26,6 +29,8 @@ extern template PayloadRegressor<double, 7> payload_regressor<double, 7>(const J
 extern template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&,
                                                                          const Matrix3<double>&, const Vector3<double>&,
                                                                          const FlangeMotion<double>&, double) noexcept;
+extern template Status pseudo_wrench<double, 7>(const Jacobian<double, 7>&, const JointVector<double, 7>&, double,
+                                                Wrench<double>&) noexcept;
 extern template class SampleWindow<double, 7>;
 extern template class MismatchDetector<7>;
 extern template struct SensorModel<double, 7>;
@@ -36,6 +41,8 @@ extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaus
                              const VariationalInferenceConfig&, const Vector4<double>*) noexcept;
 extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
                              const MeanFieldConfig&) noexcept;
+extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
+                             const StochasticViConfig&, std::mt19937_64&) noexcept;
 extern template class MismatchNetwork<double>;
 extern template class MismatchNetwork<float>;
 extern template class NetworkPrior<double>;

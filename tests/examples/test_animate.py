@@ -12,7 +12,8 @@ try:
     import matplotlib.image
     import numpy as np
     from PIL import Image
-except ImportError:
+except ImportError as missing:
+    print(f"skipped: needs python3-{missing.name.split('.')[0].lower()}")  # Debian's name of the package
     sys.exit(77)
 
 COLOURS = np.array([[214, 94, 0], [0, 114, 178], [92, 102, 115], [214, 94, 0]])

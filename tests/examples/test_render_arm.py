@@ -11,7 +11,8 @@ from pathlib import Path
 try:
     import matplotlib.image
     import numpy as np
-except ImportError:
+except ImportError as missing:
+    print(f"skipped: needs python3-{missing.name.split('.')[0].lower()}")  # Debian's name of the package
     sys.exit(77)
 
 HEAD = "m,t,q1,q2,q3,q4,q5,q6,q7\n"
@@ -39,6 +40,7 @@ with tempfile.TemporaryDirectory() as name:
         """Of both halves of the picture: where the payload is, and where the outline."""
         ended = run_with(*options)
         if "EGL: " in ended.stderr:
+            print("skipped: needs libegl-mesa0 libgl1-mesa-dri")
             sys.exit(77)
         assert ended.returncode == 0, ended.stderr
         picture = matplotlib.image.imread(folder / "equilibrium.png")[:, :, :3]

@@ -11,7 +11,8 @@ from pathlib import Path
 
 try:
     import torch
-except ImportError:
+except ImportError as missing:
+    print(f"skipped: needs python3-{missing.name.split('.')[0].lower()}")  # Debian's name of the package
     sys.exit(77)
 sys.path.insert(0, sys.argv[2])
 from network import MismatchNetwork, from_json, to_json, write_json  # noqa: E402

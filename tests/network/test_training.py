@@ -12,7 +12,8 @@ from pathlib import Path
 
 try:
     import torch  # noqa: F401
-except ImportError:
+except ImportError as missing:
+    print(f"skipped: needs python3-{missing.name.split('.')[0].lower()}")  # Debian's name of the package
     sys.exit(77)
 generator, program, train, test_run_network = sys.argv[1:5]
 

@@ -1,9 +1,8 @@
 #include <cmath>
 #include <limits>
-#include <rme/published/fixed_guess.hpp>
-#include <rme/published/published_pipeline.hpp>
 #include <string>
 
+#include "published/pipelines.hpp"
 #include "support/catch.hpp"
 
 namespace {

@@ -1,13 +1,12 @@
 // What a host may rely on, whatever the pipeline computes.
 #include <cmath>
 #include <limits>
-#include <rme/published/fixed_guess.hpp>
-#include <rme/published/published_pipeline.hpp>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "published/changing_hand.hpp"
+#include "published/pipelines.hpp"
 #include "realtime/allocations_of.hpp"
 #include "support/catch.hpp"
 

@@ -1,11 +1,10 @@
 #include <cmath>
 #include <random>
-#include <rme/published/fixed_guess.hpp>
-#include <rme/published/published_pipeline.hpp>
 #include <vector>
 
 #include "published/changing_hand.hpp"
 #include "published/literal_pipeline.hpp"
+#include "published/pipelines.hpp"
 #include "support/catch.hpp"
 #include "support/random_events.hpp"
 

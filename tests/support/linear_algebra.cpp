@@ -20,6 +20,22 @@ Matrix composed(const Matrix& U, const Vector& sigma, const Matrix& V) {
   return U.leftCols(sigma.size()) * sigma.asDiagonal() * V.leftCols(sigma.size()).transpose();
 }
 
+Matrix product(const Matrix& A, const Matrix& B) {
+  return A * B;
+}
+
+Matrix congruence(const Matrix& A, const Matrix& S) {
+  return A * S * A.transpose();
+}
+
+Matrix square(const Matrix& L) {
+  return L * L.transpose();
+}
+
+Matrix transposed(const Matrix& A) {
+  return A.transpose();
+}
+
 Matrix inverse(const Matrix& A) {
   return A.inverse();
 }

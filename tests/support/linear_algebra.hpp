@@ -21,6 +21,14 @@ Vector singular_values(const Matrix& A);
 /// Ascending, of a symmetric matrix.
 Vector eigenvalues(const Matrix& A);
 
+/// A B.
+Matrix product(const Matrix& A, const Matrix& B);
+/// A S A^T.
+Matrix congruence(const Matrix& A, const Matrix& S);
+/// L L^T.
+Matrix square(const Matrix& L);
+Matrix transposed(const Matrix& A);
+
 Matrix inverse(const Matrix& A);
 /// A^-1 B of a symmetric positive definite A.
 Matrix solve(const Matrix& A, const Matrix& B);

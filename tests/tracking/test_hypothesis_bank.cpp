@@ -153,7 +153,7 @@ class AllSequences {
     for (int j = 0; j < kJoints; ++j) C(j, offset(j)) = C(j, residual(j)) = 1;
     Vector scale(6);
     scale << 12, 12, 12, 1.5, 1.5, 1.5;
-    const Matrix push = block.jacobian.transpose() * scale.cwiseAbs2().asDiagonal() * block.jacobian;
+    const Matrix push = oracle::congruence(block.jacobian.transpose(), scale.cwiseAbs2().asDiagonal());
 
     std::vector<Sequence> next;
     for (const Sequence& before : sequences_) {
@@ -179,8 +179,8 @@ class AllSequences {
         }
         const Matrix R = noise.asDiagonal();
         if (to == Hypothesis::Pushed) {
-          const Matrix S = C * s.covariance * C.transpose() + R + push;
-          s.log_weight += oracle::log_normal(Vector(block.tau) - C * s.mean, S);
+          const Matrix S = oracle::congruence(C, s.covariance) + R + push;
+          s.log_weight += oracle::log_normal(Vector(block.tau) - oracle::product(C, s.mean), S);
         } else if (to == Hypothesis::Empty) {
           s.log_weight += update(s, C, R, block.tau);
         } else if (to == Hypothesis::Exchanged) {
@@ -235,16 +235,16 @@ class AllSequences {
     s.mean.head(kInertial) = mean;
     s.covariance.topRows(kInertial).setZero();
     s.covariance.leftCols(kInertial).setZero();
-    s.covariance.topLeftCorner(kInertial, kInertial) = factor * factor.transpose();
+    s.covariance.topLeftCorner(kInertial, kInertial) = oracle::square(factor);
   }
 
   static double update(Sequence& s, const Matrix& C, const Matrix& R, const Vector& y) {
-    const Matrix S = C * s.covariance * C.transpose() + R;
-    const Vector e = y - C * s.mean;
-    const Matrix gain = oracle::solve(S, C * s.covariance).transpose();
-    s.mean += gain * e;
-    s.covariance -= gain * C * s.covariance;
-    s.covariance = (0.5 * (s.covariance + s.covariance.transpose())).eval();
+    const Matrix S = oracle::congruence(C, s.covariance) + R;
+    const Vector e = y - oracle::product(C, s.mean);
+    const Matrix seen = oracle::product(C, s.covariance), gain = oracle::transposed(oracle::solve(S, seen));
+    s.mean += oracle::product(gain, e);
+    s.covariance -= oracle::product(gain, seen);
+    s.covariance = (0.5 * (s.covariance + oracle::transposed(s.covariance))).eval();
     return oracle::log_normal(e, S);
   }
   /// The same, and how likely the mass is to be one that an arm can tell from nothing and can hold.
@@ -272,7 +272,7 @@ class AllSequences {
     L.block<3, 1>(1, 0) = mass * com;
     for (int i = 0; i < 3; ++i) L(1 + i, 1 + i) = 0.3 * prior_.com_std[i] * mass;
     for (int i = 4; i < kInertial; ++i) L(i, i) = mass * prior_.com_mean.squaredNorm();
-    Matrix Q = L * L.transpose();
+    Matrix Q = oracle::square(L);
     if (mean[0] > 0.02 * kRated) {
       // As unsure as the payload's centre is, given its mass.
       const Matrix P = s.covariance.topLeftCorner(4, 4);

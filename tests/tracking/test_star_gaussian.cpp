@@ -38,7 +38,7 @@ Star random_star(std::mt19937& random) {
     star.joint(j).mean = random_vector(random, kJointNuisances);
     star.joint(j).slope = oracle::random_matrix(random, kInertial, kJointNuisances);
     const Matrix L = oracle::random_matrix(random, kJointNuisances, kJointNuisances);
-    star.joint(j).covariance = L * L.transpose();
+    star.joint(j).covariance = oracle::square(L);
   }
   return star;
 }
@@ -60,7 +60,7 @@ Dense dense(const Star& star) {
   }
   Vector phi = Vector::Zero(kAll);
   phi.head(kInertial) = star.mean();
-  return {T * phi + constant, T * blocks * T.transpose()};
+  return {oracle::product(T, phi) + constant, oracle::congruence(T, blocks)};
 }
 
 /// Largest difference of two Gaussians in what a star holds: phi and each pair (phi, beta_j), but not two joints'
@@ -99,7 +99,7 @@ TEST_CASE("StarGaussian: three hundred updates give what one dense batch solutio
     std::vector<Vector> b0;
     for (int j = 0; j < kJoints; ++j) {
       const Matrix S = oracle::random_matrix(random, kJointNuisances, kJointNuisances);
-      V0.push_back(S * S.transpose());
+      V0.push_back(oracle::square(S));
       b0.push_back(random_vector(random, kJointNuisances));
       star.joint(j).mean = b0.back();
       star.joint(j).covariance = V0.back();
@@ -138,12 +138,12 @@ TEST_CASE("StarGaussian: three hundred updates give what one dense batch solutio
         P[j].push_back(V);
       }
     }
-    const Matrix P0 = L * L.transpose();
+    const Matrix P0 = oracle::square(L);
     Vector mean_y(steps), mean_x = Vector::Zero(kAll);
-    Matrix S = H * P0 * H.transpose(), cross = Matrix::Zero(kAll, steps), Pxx = Matrix::Zero(kAll, kAll);
+    Matrix S = oracle::congruence(H, P0), cross = Matrix::Zero(kAll, steps), Pxx = Matrix::Zero(kAll, kAll);
     mean_x.head(kInertial) = phi0;
     Pxx.topLeftCorner(kInertial, kInertial) = P0;
-    cross.topRows(kInertial) = P0 * H.transpose();
+    cross.topRows(kInertial) = oracle::product(P0, oracle::transposed(H));
     for (int j = 0; j < kJoints; ++j) {
       const auto k = static_cast<std::size_t>(j);
       mean_x.segment(first(j), kJointNuisances) = power(steps).asDiagonal() * b0[k];
@@ -163,8 +163,9 @@ TEST_CASE("StarGaussian: three hundred updates give what one dense batch solutio
       cross.block(first(static_cast<int>(j)), t, kJointNuisances, 1) =
           power(steps - 1 - t).asDiagonal() * (Pt * C.row(t).transpose());
     }
-    const Matrix gain = oracle::solve(S, cross.transpose()).transpose();
-    const Dense batch{mean_x + gain * (y - mean_y), Pxx - gain * cross.transpose()};
+    const Matrix gain = oracle::transposed(oracle::solve(S, oracle::transposed(cross)));
+    const Dense batch{mean_x + oracle::product(gain, y - mean_y),
+                      Pxx - oracle::product(gain, oracle::transposed(cross))};
     const double off = difference(dense(star), batch);
     CHECK(off < 1e-9);
   }
@@ -208,7 +209,7 @@ TEST_CASE("StarGaussian: a new payload changes nothing of what is known of the j
     expected.mean.head(kInertial) = mean;
     expected.covariance.topRows(kInertial).setZero();
     expected.covariance.leftCols(kInertial).setZero();
-    expected.covariance.topLeftCorner(kInertial, kInertial) = factor * factor.transpose();
+    expected.covariance.topLeftCorner(kInertial, kInertial) = oracle::square(factor);
     star.replace_payload(mean, factor);
     CHECK(difference(dense(star), expected) < 1e-12);
     star.empty_payload();
@@ -228,8 +229,8 @@ TEST_CASE("StarGaussian: diffuse adds to the payload's covariance, and to no joi
     Dense expected = dense(star);
     // Of full rank, and in one direction alone.
     const Matrix L = oracle::random_matrix(random, kInertial, k % 2 == 0 ? kInertial : 1);
-    expected.covariance.topLeftCorner(kInertial, kInertial) += L * L.transpose();
-    star.diffuse(L * L.transpose());
+    expected.covariance.topLeftCorner(kInertial, kInertial) += oracle::square(L);
+    star.diffuse(oracle::square(L));
     CHECK(difference(dense(star), expected) < 1e-9);
   }
   // From an empty hand: the joints know nothing of what comes.
@@ -237,8 +238,8 @@ TEST_CASE("StarGaussian: diffuse adds to the payload's covariance, and to no joi
   empty.empty_payload();
   Dense expected = dense(empty);
   const Matrix L = oracle::random_matrix(random, kInertial, kInertial);
-  expected.covariance.topLeftCorner(kInertial, kInertial) = L * L.transpose();
-  empty.diffuse(L * L.transpose());
+  expected.covariance.topLeftCorner(kInertial, kInertial) = oracle::square(L);
+  empty.diffuse(oracle::square(L));
   CHECK(difference(dense(empty), expected) < 1e-9);
 }
 
@@ -256,7 +257,7 @@ TEST_CASE("StarGaussian: mix has the moments of the mixture, pair by pair", "[st
     for (std::size_t i = 0; i < 4; ++i) {
       const auto [mean, covariance] = dense(stars[i]);
       const Vector d = mean - mixture.mean;
-      mixture.covariance += weights[i] * (covariance + d * d.transpose());
+      mixture.covariance += weights[i] * (covariance + oracle::square(d));
     }
     const std::array<const Star*, 4> parts = {&stars[0], &stars[1], &stars[2], &stars[3]};
     CHECK(difference(dense(Star::mix(parts, weights)), mixture) < 1e-9);
@@ -301,7 +302,7 @@ TEST_CASE("StarGaussian: factorise gives a factor of singular matrices too, and 
     const Matrix G = oracle::random_matrix(random, kInertial, rank);
     PhiMatrix scale = PhiMatrix::Identity();
     for (int i = 4; i < kInertial; ++i) scale(i, i) = 1e-4;  // kilograms beside kilogram square metres
-    const PhiMatrix P = scale * PhiMatrix(G * G.transpose()) * scale;
+    const PhiMatrix P = scale * PhiMatrix(oracle::square(G)) * scale;
     PhiMatrix L = PhiMatrix::Constant(7);
     REQUIRE(Star::factorise(P, L));
     CHECK(L.isLowerTriangular(0));
