@@ -1,4 +1,3 @@
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
 #include <rme/control/linear_attractor.hpp>

@@ -1,4 +1,4 @@
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <random>
 #include <rme/tracking/inertial_parameters.hpp>
 #include <synthetic_arm/panda.hpp>
