@@ -1,4 +1,3 @@
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
 #include <rme/control/linear_attractor.hpp>
@@ -6,6 +5,7 @@
 #include <rme/control/posture.hpp>
 
 #include "support/catch.hpp"
+#include "support/linear_algebra.hpp"
 
 namespace {
 
@@ -35,9 +35,9 @@ TEST_CASE("damping_matrix: is smooth through f = 0 from every side and always po
     const Vector3 step = 1e-6 * Vector3(normal(random), normal(random), normal(random));
     const Eigen::Matrix3d D = rme::damping_matrix<double>(f, damping);
     REQUIRE((rme::damping_matrix<double>(f + step, damping) - D).norm() < 2 * 90 / 0.01 * step.norm());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(D);
-    REQUIRE(eigen.eigenvalues().minCoeff() > 10 - 1e-9);
-    REQUIRE(eigen.eigenvalues().maxCoeff() < 100 + 1e-9);
+    const oracle::Vector eigenvalues = oracle::eigenvalues(D);
+    REQUIRE(eigenvalues[0] > 10 - 1e-9);
+    REQUIRE(eigenvalues[2] < 100 + 1e-9);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <rme/inference/mean_field.hpp>
 
 #include "support/catch.hpp"
+#include "support/linear_algebra.hpp"
 #include "support/random_events.hpp"
 
 namespace {
@@ -82,7 +83,7 @@ Vector8 climb(const Likelihood& likelihood, const Prior& prior) {
     }
     if (gradient.norm() < 1e-6) break;
     while (damping < 1e12) {
-      const Vector8 step = (damping * Matrix8::Identity() - hessian).ldlt().solve(gradient);
+      const Vector8 step = oracle::solve(damping * Matrix8::Identity() - hessian, gradient);
       const Vector8 next = x + step.cwiseMin(1).cwiseMax(-1).cwiseProduct(scale);
       if (f(next) > f(x)) {
         x = next;

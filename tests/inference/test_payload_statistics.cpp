@@ -70,7 +70,7 @@ TEST_CASE("PayloadStatistics: the nuisances of an empty hand are those of Bayesi
     const Eigen::Matrix3d prior_precision = event.nuisance.covariance[s].inverse();
     const Eigen::Matrix3d precision = prior_precision + event.precision[j] * N.transpose() * N;
     const Eigen::Vector3d mean =
-        precision.ldlt().solve(prior_precision * event.nuisance.mean[s] + event.precision[j] * N.transpose() * y);
+        oracle::solve(precision, prior_precision * event.nuisance.mean[s] + event.precision[j] * N.transpose() * y);
     CHECK((posterior.mean[s] - mean).norm() < 1e-8 * mean.norm());
     CHECK((posterior.covariance[s] * precision - Eigen::Matrix3d::Identity()).norm() < 1e-7);
   }

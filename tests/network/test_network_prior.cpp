@@ -4,6 +4,7 @@
 
 #include "network/golden.hpp"
 #include "support/catch.hpp"
+#include "support/linear_algebra.hpp"
 
 namespace {
 
@@ -47,7 +48,7 @@ TEST_CASE("NetworkPrior: asks the network about 20 pseudo-wrenches, each the new
       const auto& tick = recording.ticks[static_cast<std::size_t>(k)];
       const rme::Matrix6<double> damped =
           tick.jacobian * tick.jacobian.transpose() + 1e-2 * rme::Matrix6<double>::Identity();
-      rme::Vector6<double> w = damped.inverse() * tick.jacobian * tick.tau_ext;
+      rme::Vector6<double> w = oracle::solve(damped, oracle::product(tick.jacobian, tick.tau_ext));
       if (frame == rme::InputFrame::EndEffector) {
         w.head<3>() = (tick.rotation.transpose() * w.head<3>()).eval();
         w.tail<3>() = (tick.rotation.transpose() * w.tail<3>()).eval();

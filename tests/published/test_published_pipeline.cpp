@@ -6,6 +6,7 @@
 #include "published/literal_pipeline.hpp"
 #include "published/pipelines.hpp"
 #include "support/catch.hpp"
+#include "support/linear_algebra.hpp"
 #include "support/random_events.hpp"
 
 namespace {
@@ -122,8 +123,8 @@ TEST_CASE(
   CHECK(pipeline.state().iterations == 20);
 
   const auto& newest = ticks.back();
-  const Eigen::MatrixXd damped = newest.jacobian * newest.jacobian.transpose() + 0.05 * Eigen::MatrixXd::Identity(6, 6);
-  const Eigen::VectorXd pseudo_wrench = damped.fullPivLu().solve(newest.jacobian * newest.tau_ext);
+  const oracle::Matrix damped = oracle::square(newest.jacobian) + 0.05 * oracle::Matrix::Identity(6, 6);
+  const oracle::Vector pseudo_wrench = oracle::solve(damped, oracle::product(newest.jacobian, newest.tau_ext));
   const double prior[] = {1, 0.1 * pseudo_wrench[3], 0.1 * pseudo_wrench[4], 0.1 * pseudo_wrench[5]};
   const double prior_deviation[] = {0.4, 0.03, 0.05, 0.06};
   double sigma[7];
