@@ -118,6 +118,35 @@ TEST_CASE("SensorNoise: nothing is learned of a joint that starts, stops or turn
   CHECK(noise.variance(2) == arm.noise[2] * arm.noise[2]);
 }
 
+TEST_CASE("SensorNoise: while something is held the residual sinks a third as fast, and rises as fast as ever",
+          "[noise]") {
+  const unsigned seed = 543;
+  CAPTURE(seed);
+  White white(seed);
+  // A single joint has something to say, and little: no bound is met.
+  for (const double sign : {1.0, -1.0}) {
+    CAPTURE(sign);
+    Noise empty(Sensing::LinkSide, prior()), held(Sensing::LinkSide, prior()), rough(Sensing::RoughModel, prior()),
+        rough_held(Sensing::RoughModel, prior());
+    Regime regime;
+    const Block block = moving(0.2);
+    regime.update(block);
+    for (int k = 0; k < 6; ++k) {
+      Joints e = Joints::Zero();
+      e[0] = k % 2 == 0 ? 1 : sign;
+      empty.learn(true, e, Joints::Ones(), block, regime);
+      held.learn(false, e, Joints::Ones(), block, regime);
+      rough.learn(true, e, Joints::Ones(), block, regime);
+      rough_held.learn(false, e, Joints::Ones(), block, regime);
+    }
+    const double start = residual(Noise(Sensing::LinkSide, prior()));
+    const double way = std::log(residual(empty) / start), way_held = std::log(residual(held) / start);
+    REQUIRE(way * sign > 0.005);
+    CHECK(way_held == Approx(sign > 0 ? way : 0.35 * way).epsilon(0.02));
+    CHECK(residual(rough_held) == Approx(residual(rough)));
+  }
+}
+
 TEST_CASE("SensorNoise: correlated innovations raise the residual, anticorrelated ones let it sink", "[noise]") {
   const unsigned seed = 542;
   CAPTURE(seed);
