@@ -147,6 +147,59 @@ TEST_CASE("SensorNoise: while something is held the residual sinks a third as fa
   }
 }
 
+TEST_CASE("SensorNoise: no block moves the residual by more than 15 %, nor does one joint by more than its share",
+          "[noise]") {
+  const auto after_two_blocks = [](const Joints& first, const Joints& second, double speed) {
+    Noise noise(Sensing::LinkSide, prior());
+    Regime regime;
+    const Block block = moving(speed);
+    regime.update(block);
+    noise.learn(true, first, Joints::Ones(), block, regime);
+    noise.learn(true, second, Joints::Ones(), block, regime);
+    return std::log(residual(noise) / residual(Noise(Sensing::LinkSide, prior())));
+  };
+  const Joints large = Joints::Constant(100);
+  Joints one = Joints::Zero();
+  one[0] = 100;  // counts as three standard deviations
+  for (const double speed : {0.1, 2.0}) {
+    CAPTURE(speed);
+    CHECK(after_two_blocks(large, large, speed) == Approx(0.025 * 6));
+    CHECK(after_two_blocks(large, -large, speed) == Approx(-0.025 * 6));
+    CHECK(after_two_blocks(one, one, speed) == Approx(0.025 * 3 * 3 * std::sqrt(1 - 0.81)).epsilon(1e-3));
+    CHECK(after_two_blocks(one, -one, speed) == Approx(-0.025 * 3 * 3 * std::sqrt(1 - 0.81)).epsilon(1e-3));
+  }
+  CHECK(after_two_blocks(large, large, 0.01) < 0.025 * 6 + 1e-9);
+  CHECK(after_two_blocks(one, one, 0.05 / std::sqrt(7.0)) ==
+        Approx(0.5 * 0.025 * 3 * 3 * std::sqrt(1 - 0.81)).epsilon(1e-3));  // half of a full way
+}
+
+TEST_CASE("SensorNoise: where the model is rough, innovations smaller or larger than said tell the residual's size",
+          "[noise]") {
+  const unsigned seed = 544;
+  CAPTURE(seed);
+  const auto change = [&](double scale, double variance) {
+    White white(seed);
+    Noise noise(Sensing::RoughModel, prior());
+    const double start = residual(noise);
+    Regime regime;
+    const Block block = moving(0.2);
+    regime.update(block);
+    for (int k = 0; k < 30; ++k)
+      noise.learn(true, white(Joints::Constant(scale * std::sqrt(variance))), Joints::Constant(variance), block,
+                  regime);
+    return std::log(residual(noise) / start);
+  };
+  const Noise wrist(Sensing::RoughModel, prior());  // has 0.4 of it
+  CHECK(wrist.residual_variance(6) == Approx(0.16 * wrist.residual_variance(0)));
+  const double expected = change(1, 100);
+  CHECK(std::abs(expected) < 1);
+  CHECK(change(0.3, 100) < expected - 0.4);
+  CHECK(change(2, 100) > expected + 0.4);
+  // What the sensor's noise explains says nothing of the residual.
+  const double floor = std::pow(0.004 * prior().residual.minCoeff(), 2);
+  CHECK(std::abs(change(0.03, floor)) < 0.1);
+}
+
 TEST_CASE("SensorNoise: correlated innovations raise the residual, anticorrelated ones let it sink", "[noise]") {
   const unsigned seed = 542;
   CAPTURE(seed);
