@@ -21,6 +21,7 @@ namespace rme {
 ///      "arm": {"noise": [..], "offset": [..], "residual": [..], "coulomb": [..], "viscous": [..]},
 ///      "payload": {"mass_mean": 1, "mass_std": 1, "com_mean": [0, 0, 0.1], "com_std": [0.06, 0.06, 0.07]}}
 ///
+/// For a RuntimeEstimator Dofs is Eigen::Dynamic; it checks how long the vectors are.
 /// @throws std::invalid_argument naming a field that is unknown, missing or of the wrong type or size, with what was
 /// expected and what came. Ranges are checked by the Estimator.
 template <typename Scalar, int Dofs>
@@ -67,9 +68,12 @@ Scalar read_number(const nlohmann::json& json, const std::string& path) {
 template <typename Vector>
 Vector read_vector(const nlohmann::json& json, const std::string& path) {
   Vector out;
-  const auto size = static_cast<std::size_t>(out.size());
+  constexpr bool any = Vector::SizeAtCompileTime == Eigen::Dynamic;
+  const std::size_t size = any && json.is_array() ? json.size() : static_cast<std::size_t>(out.size());
   if (!json.is_array() || json.size() != size)
-    refuse(path + ": expected an array of " + std::to_string(size) + " numbers, got " + describe(json));
+    refuse(path + ": expected an array of " + (any ? "" : std::to_string(size) + " ") + "numbers, got " +
+           describe(json));
+  out.resize(static_cast<Eigen::Index>(size));
   for (std::size_t i = 0; i < size; ++i)
     out[static_cast<Eigen::Index>(i)] =
         read_number<typename Vector::Scalar>(json[i], path + "[" + std::to_string(i) + "]");

@@ -1,6 +1,8 @@
 #pragma once
 /// The estimator of a host that learns the number of joints when it runs.
 #include <cstddef>
+#include <optional>
+#include <rme/core/flange_motion.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
@@ -8,6 +10,7 @@
 #include <rme/estimator_config.hpp>
 #include <rme/estimator_state.hpp>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -58,11 +61,12 @@ class RuntimeEstimator {
   /// @param rotation  R, end-effector axes to world axes
   /// @param dq        joint velocity [rad/s], joints()
   /// @param period    time since the sample before [s]; 0 is the nominal period
+  /// @param motion    how the flange has moved, from a host that knows it better than J dq
   /// @return Ok; WrongSize, NonFiniteInput or NotARotation: the estimator is then as it was
   template <typename Torque, typename Matrix, typename Velocity>
   Status update(const Eigen::MatrixBase<Torque>& tau_ext, const Eigen::MatrixBase<Matrix>& jacobian,
                 const Eigen::Ref<const Matrix3<Scalar>>& rotation, const Eigen::MatrixBase<Velocity>& dq,
-                double period = 0) noexcept {
+                double period = 0, const std::optional<FlangeMotion<Scalar>>& motion = std::nullopt) noexcept {
     if (!fits(tau_ext, joints_, 1) || !fits(jacobian, 6, joints_) || !fits(dq, joints_, 1)) return Status::WrongSize;
     return std::visit(
         [&](auto& estimator) {
@@ -72,6 +76,7 @@ class RuntimeEstimator {
           sample.rotation = rotation;
           sample.dq = dq;
           sample.period = period;
+          sample.motion = motion;
           return estimator.update(sample);
         },
         any_);

@@ -75,19 +75,13 @@ TEST_CASE("small_matrix: one entry that is not finite is found wherever it stand
   const double infinity = std::numeric_limits<double>::infinity();
   const double huge = std::numeric_limits<double>::max();
   CHECK(detail::finite(Matrix(Matrix::Constant(huge))));
-  CHECK(detail::within(Matrix(Matrix::Constant(-2.0)), 2.0));
   for (int i = 0; i < 5; ++i) {
     for (int j = 0; j < 3; ++j) {
       for (const double bad : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
         Matrix X = Matrix::Ones();
         X(i, j) = bad;
         CHECK_FALSE(detail::finite(X));
-        CHECK_FALSE(detail::within(X, huge));
       }
-      Matrix X = Matrix::Ones();
-      X(i, j) = -2.5;
-      CHECK(detail::within(X, 2.5));
-      CHECK_FALSE(detail::within(X, 2.4));
     }
   }
 }

@@ -47,6 +47,23 @@ TEST_CASE("EstimatorConfig: what is written comes back the same", "[json]") {
   CHECK(rme::estimator_config_to_json(back) == written);
 }
 
+TEST_CASE("EstimatorConfig: of an arm whose joints are counted at run time, vectors come as long as they are",
+          "[json]") {
+  constexpr int kAny = Eigen::Dynamic;
+  Config config;
+  config.arm = rme::ArmPrior<double, 7>::of(10);
+  const json written = rme::estimator_config_to_json(config);
+  const auto back = rme::estimator_config_from_json<double, kAny>(written);
+  REQUIRE(back.arm);
+  CHECK(back.arm->noise == config.arm->noise);
+  CHECK(back.arm->viscous == config.arm->viscous);
+  CHECK(rme::estimator_config_to_json(back) == written);
+  json bad = written;
+  bad["arm"]["offset"] = 3;
+  CHECK_THROWS_WITH((rme::estimator_config_from_json<double, kAny>(bad)),
+                    contains("arm.offset: expected an array of numbers, got"));
+}
+
 TEST_CASE("EstimatorConfig: a field that is not there keeps its default, and is not written if it has none", "[json]") {
   const Config config = read(R"({"rated_payload": 5, "observer_bandwidth": 0})"), defaults;
   CHECK(config.rated_payload == 5);

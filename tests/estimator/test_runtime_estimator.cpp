@@ -32,6 +32,7 @@ Proprioception<double, Dofs> sample_at(int tick) {
   sample.tau_ext = -compensation_torque<double, Dofs>({mass, {0.01, 0, 0.1}}, sample.jacobian, sample.rotation);
   for (int j = 0; j < Dofs; ++j) sample.tau_ext[j] += 0.01 * std::sin(1.7 * tick * (j + 1));
   sample.period = tick % 7 == 0 ? 0.002 : 0;
+  if (tick > 1000) sample.motion = FlangeMotion<double>{{0, 0.1, 0}, {0.2, 0, 0.1}, {0, 0.3, 0}};
   return sample;
 }
 
@@ -68,7 +69,8 @@ void check_equal() {
     }();
     const Eigen::Map<const Eigen::Matrix3d> R(rotation.data());
     REQUIRE(expected.update(sample) == Status::Ok);
-    REQUIRE(estimator.update(buffer.head(Dofs), jacobian, R, buffer.segment(Dofs, Dofs), sample.period) == Status::Ok);
+    REQUIRE(estimator.update(buffer.head(Dofs), jacobian, R, buffer.segment(Dofs, Dofs), sample.period,
+                             sample.motion) == Status::Ok);
     REQUIRE(estimator.compensation(jacobian, R, torque) == Status::Ok);
     REQUIRE(torque == expected.compensation(sample.jacobian, sample.rotation));
   }

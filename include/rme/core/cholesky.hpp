@@ -46,12 +46,14 @@ class Cholesky {
   /// L^-1 X.
   template <int Columns>
   Eigen::Matrix<Scalar, Size, Columns> solve_lower(Eigen::Matrix<Scalar, Size, Columns> X) const noexcept {
-    RME_UNROLL
-    for (int i = 0; i < Size; ++i) {
+    for (int c = 0; c < Columns; ++c) {
       RME_UNROLL
-      for (int k = 0; k < i; ++k)
-        for (int c = 0; c < Columns; ++c) X(i, c) -= L_(i, k) * X(k, c);
-      for (int c = 0; c < Columns; ++c) X(i, c) *= inverse_diagonal_[i];
+      for (int i = 0; i < Size; ++i) {
+        Scalar sum = X(i, c);
+        RME_UNROLL
+        for (int k = 0; k < i; ++k) sum -= L_(i, k) * X(k, c);
+        X(i, c) = sum * inverse_diagonal_[i];
+      }
     }
     return X;
   }
@@ -60,12 +62,14 @@ class Cholesky {
   template <int Columns>
   Eigen::Matrix<Scalar, Size, Columns> solve(const Eigen::Matrix<Scalar, Size, Columns>& X) const noexcept {
     Eigen::Matrix<Scalar, Size, Columns> Y = solve_lower(X);
-    RME_UNROLL
-    for (int i = Size - 1; i >= 0; --i) {
+    for (int c = 0; c < Columns; ++c) {
       RME_UNROLL
-      for (int k = i + 1; k < Size; ++k)
-        for (int c = 0; c < Columns; ++c) Y(i, c) -= L_(k, i) * Y(k, c);
-      for (int c = 0; c < Columns; ++c) Y(i, c) *= inverse_diagonal_[i];
+      for (int i = Size - 1; i >= 0; --i) {
+        Scalar sum = Y(i, c);
+        RME_UNROLL
+        for (int k = i + 1; k < Size; ++k) sum -= L_(k, i) * Y(k, c);
+        Y(i, c) = sum * inverse_diagonal_[i];
+      }
     }
     return Y;
   }

@@ -15,8 +15,7 @@ namespace rme {
 template <typename Scalar, int Dofs>
 auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const noexcept -> const Star& {
   const auto h = static_cast<Hypothesis>(from);
-  const bool change = to == Hypothesis::Exchanged || (to == Hypothesis::Empty && h != to) ||
-                      (to == Hypothesis::Pushed && h == Hypothesis::Exchanged);
+  const bool change = (to == Hypothesis::Empty && h != to) || (to == Hypothesis::Pushed && h == Hypothesis::Exchanged);
   return change ? before_ : stars_[from];
 }
 
@@ -24,7 +23,14 @@ auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const
 /// (docs/theory.md (T20)).
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
-  const bool anew = h == Hypothesis::Empty || h == Hypothesis::Exchanged;  // whatever the payload was before
+  Star& out = next(h);
+  if (h == Hypothesis::Exchanged) {  // whatever was before
+    out = before_;
+    out.empty_payload();
+    if (model_.rough()) model_.reopen_residual(out);
+    return;
+  }
+  const bool emptied = h == Hypothesis::Empty;
   std::array<Scalar, kHypotheses> weight{};
   Scalar sum = Scalar(0);
   std::size_t parts = 0, last = index(h);
@@ -36,11 +42,9 @@ void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
     last = from;
     ++parts;
   }
-  Star& out = next(h);
-  if (parts <= 1 || h == Hypothesis::Exchanged) {
+  if (parts <= 1) {
     out = source(last, h);
-    if (anew) out.empty_payload();
-    if (h == Hypothesis::Exchanged && model_.rough()) model_.reopen_residual(out);
+    if (emptied) out.empty_payload();
     return;
   }
   std::array<const Star*, kHypotheses> from{};
@@ -48,7 +52,7 @@ void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
     weight[i] /= sum;
     from[i] = &source(i, h);
   }
-  out = anew ? Star::mix_emptied(from, weight) : Star::mix(from, weight);
+  out = emptied ? Star::mix_emptied(from, weight) : Star::mix(from, weight);
 }
 
 /// Takes the block in, joint by joint.
