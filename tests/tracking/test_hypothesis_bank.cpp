@@ -118,6 +118,8 @@ struct Sequence {
   Matrix covariance;
   Vector calm_mean;  // of the last block in which nothing happened
   Matrix calm_covariance;
+  Vector wrench = Vector::Zero(6);  // that pushes
+  Matrix wrench_covariance = Matrix::Zero(6, 6);
 };
 
 class AllSequences {
@@ -125,7 +127,7 @@ class AllSequences {
   AllSequences(const Bank<kJoints>& bank, const rme::ArmPrior<double, kJoints>& arm) : arm_(arm) {
     for (const Hypothesis h : kAll) {
       const auto& star = bank.star(h);
-      Sequence s{std::log(bank.probability(h)), h, Vector::Zero(kState), Matrix::Zero(kState, kState), {}, {}};
+      Sequence s{std::log(bank.probability(h)), h, Vector::Zero(kState), Matrix::Zero(kState, kState)};
       s.mean.head(kInertial) = star.mean();
       s.covariance.topLeftCorner(kInertial, kInertial) = star.covariance();
       for (int j = 0; j < kJoints; ++j) {
@@ -147,13 +149,14 @@ class AllSequences {
     for (int j = 0; j < kJoints; ++j)
       noise[j] = bank.noise().variance(j) + std::pow(last_timing * (block.tau[j] - tau_[j]), 2);
     tau_ = block.tau;
-    // y = C x + noise, and what a hand's push of 4 N and 0.5 N m per kg of rated payload adds.
+    // y = C x + noise, and what a hand's push of 4 N and 0.5 N m per kg of rated payload adds: that of the block
+    // before, nine times of ten, give or take 3 %, or another one.
     Matrix C = Matrix::Zero(kJoints, kState);
     C.leftCols(kInertial) = block.regressor;
     for (int j = 0; j < kJoints; ++j) C(j, offset(j)) = C(j, residual(j)) = 1;
     Vector scale(6);
     scale << 12, 12, 12, 1.5, 1.5, 1.5;
-    const Matrix push = oracle::congruence(block.jacobian.transpose(), scale.cwiseAbs2().asDiagonal());
+    const Matrix any = scale.cwiseAbs2().asDiagonal(), Jt = block.jacobian.transpose();
 
     std::vector<Sequence> next;
     for (const Sequence& before : sequences_) {
@@ -163,7 +166,7 @@ class AllSequences {
         Sequence s = before;
         s.last = to;
         s.log_weight += std::log(transition);
-        if (to == Hypothesis::Pushed && before.last == Hypothesis::Exchanged) {  // it was none
+        if (to == Hypothesis::Pushed && before.last != to && before.last != Hypothesis::Empty) {  // it was none
           s.mean = s.calm_mean;
           s.covariance = s.calm_covariance;
         }
@@ -179,8 +182,18 @@ class AllSequences {
         }
         const Matrix R = noise.asDiagonal();
         if (to == Hypothesis::Pushed) {
-          const Matrix S = oracle::congruence(C, s.covariance) + R + push;
-          s.log_weight += oracle::log_normal(Vector(block.tau) - oracle::product(C, s.mean), S);
+          const Matrix S = oracle::congruence(C, s.covariance) + R;
+          const Vector e = Vector(block.tau) - oracle::product(C, s.mean);
+          if (before.last == to) {
+            Sequence same = s;
+            same.wrench_covariance += 0.03 * 0.03 * any;
+            same.log_weight += std::log(0.9) + push(same, Jt, S, e);
+            next.push_back(std::move(same));
+            s.log_weight += std::log(0.1);
+          }
+          s.wrench.setZero();
+          s.wrench_covariance = any;
+          s.log_weight += push(s, Jt, S, e);
         } else if (to == Hypothesis::Empty) {
           s.log_weight += update(s, C, R, block.tau);
         } else if (to == Hypothesis::Exchanged) {
@@ -238,6 +251,15 @@ class AllSequences {
     s.covariance.topLeftCorner(kInertial, kInertial) = oracle::square(factor);
   }
 
+  static double push(Sequence& s, const Matrix& Jt, const Matrix& S, const Vector& e) {
+    const Matrix total = oracle::congruence(Jt, s.wrench_covariance) + S,
+                 seen = oracle::product(Jt, s.wrench_covariance);
+    const Matrix gain = oracle::transposed(oracle::solve(total, seen));
+    const Vector error = e - oracle::product(Jt, s.wrench);
+    s.wrench += oracle::product(gain, error);
+    s.wrench_covariance -= oracle::product(gain, seen);
+    return oracle::log_normal(error, total);
+  }
   static double update(Sequence& s, const Matrix& C, const Matrix& R, const Vector& y) {
     const Matrix S = oracle::congruence(C, s.covariance) + R;
     const Vector e = y - oracle::product(C, s.mean);
@@ -426,25 +448,47 @@ TEST_CASE("HypothesisBank: a push is called a push, and what was carried is carr
 }
 
 TEST_CASE("HypothesisBank: a push that looked like a weight at first leaves what was carried as it was", "[bank]") {
+  // For one block it is an exchange; after five it has been a steady payload for a while.
   for (unsigned seed = 660; seed < 670; ++seed) {
+    for (const int down : {1, 5}) {
+      CAPTURE(seed, down);
+      Arm<7> arm(seed);
+      arm.pose();
+      auto bank = bank_of(arm);
+      live(bank, arm, 50, kEmptyHand);
+      const auto payload = box(0.9, {0.02, 0.01, 0.08});
+      live(bank, arm, 50, payload);
+      const double before = believed_mass(bank);
+      rme::Vector6<double> push = rme::Vector6<double>::Zero();
+      push[2] = -8;  // straight down
+      live(bank, arm, down, payload, push);
+      CHECK(bank.probability(down > 1 ? Hypothesis::Steady : Hypothesis::Exchanged) > 0.5);
+      push << 10, -7, -8, 0.5, 0.2, 0;
+      live(bank, arm, 10, payload, push);
+      CHECK(bank.probability(Hypothesis::Pushed) > 0.95);
+      CHECK(std::abs(bank.star(Hypothesis::Pushed).mean()[0] - before) < 0.01);
+      live(bank, arm, 10, payload);
+      CHECK(std::abs(believed_mass(bank) - before) < 0.01);
+    }
+  }
+}
+
+TEST_CASE("HypothesisBank: a hand that presses down and hardly aside is not carried for long", "[bank]") {
+  for (unsigned seed = 700; seed < 740; ++seed) {
     CAPTURE(seed);
     Arm<7> arm(seed);
     arm.pose();
     auto bank = bank_of(arm);
     live(bank, arm, 50, kEmptyHand);
-    const auto payload = box(0.9, {0.02, 0.01, 0.08});
-    live(bank, arm, 50, payload);
-    const double before = believed_mass(bank);
-    rme::Vector6<double> push = rme::Vector6<double>::Zero();
-    push[2] = -8;  // straight down
-    live(bank, arm, 1, payload, push);
-    CHECK(bank.probability(Hypothesis::Exchanged) > 0.5);
-    push << 10, -7, -8, 0.5, 0.2, 0;
-    live(bank, arm, 10, payload, push);
+    const double angle = 6.28 * std::uniform_real_distribution<double>()(arm.random);
+    const Eigen::Vector3d force(std::cos(angle), std::sin(angle), -8),
+        lever = arm.rotation * Eigen::Vector3d(0, 0.03, 0.1);
+    rme::Vector6<double> push;
+    push << force, lever.cross(force);
+    for (const double share : {0.3, 0.7}) live(bank, arm, 1, kEmptyHand, share * push);
+    live(bank, arm, 8, kEmptyHand, push);
     CHECK(bank.probability(Hypothesis::Pushed) > 0.95);
-    CHECK(std::abs(bank.star(Hypothesis::Pushed).mean()[0] - before) < 0.01);
-    live(bank, arm, 10, payload);
-    CHECK(std::abs(believed_mass(bank) - before) < 0.01);
+    CHECK(std::abs(believed_mass(bank)) < 0.01);
   }
 }
 

@@ -4,14 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <rme/core/cholesky.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/friction_regime.hpp>
 #include <rme/tracking/hypothesis.hpp>
 #include <rme/tracking/joint_torque_model.hpp>
+#include <rme/tracking/push_filter.hpp>
 #include <rme/tracking/star_gaussian.hpp>
 #include <rme/tracking/torque_block.hpp>
 
@@ -88,6 +87,7 @@ class HypothesisBank {
   JointTorqueModel<Scalar, Dofs> model_;
   PayloadPrior<Scalar> payload_;
   Scalar rated_;
+  PushFilter<Scalar, Dofs> push_;
   std::array<Star, kHypotheses> stars_, next_;
   // Of a block in which nothing happened, 0.1 to 0.2 s ago, and of one less long ago, with what may have changed since.
   Star before_, recent_;
@@ -113,7 +113,8 @@ HypothesisBank<Scalar, Dofs>::HypothesisBank(Sensing sensing, const ArmPrior<Sca
     : model_(sensing, arm,
              detail::dot(payload.com_mean, payload.com_mean) + detail::dot(payload.com_std, payload.com_std)),
       payload_(payload),
-      rated_(rated_payload) {
+      rated_(rated_payload),
+      push_(rated_payload) {
   const Star star = model_.prior();
   stars_.fill(star);
   before_ = recent_ = star;
@@ -228,6 +229,7 @@ Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
     in_question_.values[i] = in_question_.values[i] && std::isfinite(likelihood_.values[i]) && next_[i].finite();
     if (in_question_.values[i]) highest = std::max(highest, likelihood_.values[i]);
   }
+  if (!in_question_[Hypothesis::Pushed]) push_.forget();
   Scalar total = Scalar(0);
   PerHypothesis<Scalar> posterior;
   for (std::size_t i = 0; i < kHypotheses; ++i) {

@@ -4,18 +4,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <rme/tracking/hypothesis_bank.hpp>
 
 namespace rme {
 
 /// What is known of an arm in which `to` begins, having been in `from`. A change has gone on for a while before it is
-/// noticed, and nuisances have taken on a share of it: what follows a change starts from before. An exchange that turns
-/// out to be a push was none: what was held before it is held still.
+/// noticed, and nuisances have taken on a share of it: what follows a change starts from before. So does a push: what
+/// was believed to be something else until now has been one for a while, and what was held before it is held still.
 template <typename Scalar, int Dofs>
 auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const noexcept -> const Star& {
   const auto h = static_cast<Hypothesis>(from);
-  const bool change = (to == Hypothesis::Empty && h != to) || (to == Hypothesis::Pushed && h == Hypothesis::Exchanged);
+  const bool change = h != to && (to == Hypothesis::Empty || (to == Hypothesis::Pushed && h != Hypothesis::Empty));
   return change ? before_ : stars_[from];
 }
 
@@ -101,39 +100,24 @@ void HypothesisBank<Scalar, Dofs>::evaluate_exchange(Star& star) noexcept {
   likelihood_[h] += log_plausible(star);
 }
 
-/// A push says nothing of the payload, and nothing is learned from the block: only how likely it is, with a wrench
-/// w ~ N(0, S) beside the payload, J^T S J more noise.
+/// A push says nothing of the payload, and nothing is learned from the block: only how likely it is with a wrench
+/// beside the payload.
 template <typename Scalar, int Dofs>
 Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept {
   constexpr int n = Dofs;
-  Eigen::Matrix<Scalar, n, n> S;
+  constexpr Hypothesis h = Hypothesis::Pushed;
   JointVector<Scalar, Dofs> e, independent;
   Eigen::Matrix<Scalar, n, kInertial> spread;
-  Eigen::Matrix<Scalar, n, 6> wrench;
-  const Scalar force = Scalar(4) * rated_, moment = Scalar(0.5) * rated_;  // [N], [N m]: 12 and 1.5 on a Panda
   for (int j = 0; j < n; ++j) {
     auto p = star.predict(j, model_.observation(j, star.mean()[0]));
     e[j] = p.innovation;
     independent[j] = p.given_payload;
     for (int i = 0; i < kInertial; ++i) spread(j, i) = p.spread[i];
-    for (int i = 0; i < 6; ++i) wrench(j, i) = (i < 3 ? force : moment) * model_.block().jacobian(i, j);
   }
-  S = detail::outer_square(spread);
-  S += detail::outer_square(wrench);
-  Scalar largest = Scalar(0);
-  for (int j = 0; j < n; ++j) {
-    S(j, j) += independent[j];
-    largest = std::max(largest, S(j, j));
-  }
-  // What rounding may take off a pivot: torques that no wrench makes are known a hundred times better than those that
-  // one does, which is as far as a float's square reaches.
-  for (int j = 0; j < n; ++j) S(j, j) += 16 * Eigen::NumTraits<Scalar>::epsilon() * largest;
-  const Cholesky<Scalar, n> factor(S);
-  if (!factor.positive_definite()) return -std::numeric_limits<Scalar>::infinity();  // out of the question
-  const JointVector<Scalar, Dofs> white = factor.solve_lower(e);
-  const Scalar squared = detail::dot(white, white);
-  squared_[Hypothesis::Pushed] = squared / Scalar(n);
-  return Scalar(-0.5) * squared - factor.log_det_lower();
+  Eigen::Matrix<Scalar, n, n> S = detail::outer_square(spread);
+  for (int j = 0; j < n; ++j) S(j, j) += independent[j];
+  const Scalar goes_on = static_cast<Scalar>(kTransitions[index(h)][index(h)]) * probability_[h] / predicted_[h];
+  return push_.update(e, S, model_.block().jacobian, model_.block().duration, goes_on);
 }
 
 /// Covariance of what is poured in within a block: any mass, with its centre about where the payload's is.

@@ -1,0 +1,146 @@
+#include <cmath>
+#include <limits>
+#include <random>
+#include <rme/tracking/push_filter.hpp>
+
+#include "support/catch.hpp"
+#include "support/linear_algebra.hpp"
+
+namespace {
+
+using oracle::Matrix;
+using oracle::Vector;
+constexpr int kDofs = 7;
+constexpr double kRated = 3;
+constexpr double kBlock = 0.02;  // [s]
+template <typename Scalar>
+using Filter = rme::PushFilter<Scalar, kDofs>;
+using Joints = rme::JointVector<double, kDofs>;
+using Covariance = Filter<double>::Covariance;
+
+/// Of a wrench that may be any.
+Matrix any_wrench() {
+  Vector deviation(6);
+  deviation << 12, 12, 12, 1.5, 1.5, 1.5;
+  return deviation.cwiseAbs2().asDiagonal();
+}
+
+/// An arm that is pushed: its Jacobian, and how well its torque is known without.
+struct Pushed {
+  explicit Pushed(unsigned seed) : random(seed) {
+    jacobian = oracle::random_matrix(random, 6, kDofs);
+    covariance =
+        1e-4 * oracle::square(oracle::random_matrix(random, kDofs, kDofs)) + 1e-4 * Matrix::Identity(kDofs, kDofs);
+  }
+  /// Torque of a wrench, with noise.
+  Joints torque(const rme::Vector6<double>& wrench) {
+    return jacobian.transpose() * wrench + Joints(0.01 * oracle::random_matrix(random, kDofs, 1));
+  }
+  rme::Vector6<double> wrench() { return any_wrench().cwiseSqrt() * Vector(oracle::random_matrix(random, 6, 1)); }
+
+  std::mt19937 random;
+  rme::Jacobian<double, kDofs> jacobian;
+  Covariance covariance;
+};
+
+TEST_CASE("PushFilter: blocks are as likely as the joint Gaussian of all of them says, of each story", "[push]") {
+  // In three blocks the wrench may go on or be another one, twice: four stories, each a Gaussian over 21 torques.
+  // The filter follows the likelier half after each block, which costs nothing where one of them is far likelier.
+  const double p = 0.97;
+  for (unsigned seed = 1; seed < 21; ++seed) {
+    CAPTURE(seed);
+    Pushed arm(seed);
+    Filter<double> filter(kRated);
+    const auto wrench = arm.wrench(), other = arm.wrench();
+    const Joints y[3] = {arm.torque(wrench), arm.torque(wrench), arm.torque(seed % 2 == 0 ? wrench : other)};
+    double filtered = 0;
+    for (int k = 0; k < 3; ++k) filtered += filter.update(y[k], arm.covariance, arm.jacobian, kBlock, k == 0 ? 0 : p);
+    const Matrix Jt = arm.jacobian.transpose();
+    double sum = 0;
+    for (int story = 0; story < 4; ++story) {
+      // Covariance of w over the blocks: shared while it goes on, and 3 % more in each.
+      Matrix W = Matrix::Zero(18, 18);
+      const int begins[3] = {0, (story & 1) != 0 ? 0 : 1, 0};
+      const int begin[3] = {0, begins[1], (story & 2) != 0 ? begins[1] : 2};
+      for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b)
+          if (begin[a] == begin[b])
+            W.block(6 * a, 6 * b, 6, 6) = (1 + 0.03 * 0.03 * (std::min(a, b) - begin[a])) * any_wrench();
+      Matrix S(21, 21);
+      Vector all(21);
+      for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b)
+          S.block(7 * a, 7 * b, 7, 7) = oracle::product(oracle::product(Jt, W.block(6 * a, 6 * b, 6, 6)), arm.jacobian);
+        S.block(7 * a, 7 * a, 7, 7) += arm.covariance;
+        all.segment(7 * a, 7) = y[a];
+      }
+      double log_weight = 0;
+      for (int k = 1; k < 3; ++k) log_weight += std::log((story & k) != 0 ? 0.9 * p : 1 - 0.9 * p);
+      sum += std::exp(log_weight + oracle::log_normal(all, S));
+    }
+    CHECK(filtered == Approx(std::log(sum)).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("PushFilter: a wrench that lasts is paid for once", "[push]") {
+  Pushed arm(30);
+  Filter<double> filter(kRated);
+  const auto wrench = arm.wrench();
+  const double first = filter.update(arm.torque(wrench), arm.covariance, arm.jacobian, kBlock, 0);
+  double later = 0;
+  for (int k = 0; k < 50; ++k) later = filter.update(arm.torque(wrench), arm.covariance, arm.jacobian, kBlock, 0.97);
+  CHECK(later > first + 10);
+  filter.forget();
+  CHECK(filter.update(arm.torque(wrench), arm.covariance, arm.jacobian, kBlock, 0.97) == Approx(first).margin(6));
+}
+
+TEST_CASE("PushFilter: in a longer block a hand changes more", "[push]") {
+  for (const double factor : {1.0, 3.0}) {
+    Pushed arm(31);
+    Filter<double> filter(kRated);
+    const auto wrench = arm.wrench();
+    (void)filter.update(arm.torque(wrench), arm.covariance, arm.jacobian, kBlock, 0);
+    // 0.9 of what would be likely if W grew with the block's length, that of a wrench which is known to be zero.
+    Filter<double> still(kRated);
+    (void)still.update(Joints::Zero(), 1e-9 * Covariance::Identity(), arm.jacobian, kBlock, 0);
+    const Joints e = 0.1 * arm.torque(wrench);
+    const Matrix S =
+        Matrix(arm.covariance) + factor * 0.03 * 0.03 * oracle::congruence(arm.jacobian.transpose(), any_wrench());
+    const double anew =
+        oracle::log_normal(e, Matrix(arm.covariance) + oracle::congruence(arm.jacobian.transpose(), any_wrench()));
+    const double expected = std::log(0.9 * std::exp(oracle::log_normal(e, S)) + 0.1 * std::exp(anew));
+    CHECK(still.update(e, arm.covariance, arm.jacobian, factor * kBlock, 1) == Approx(expected).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("PushFilter: float agrees with double over a thousand blocks", "[push]") {
+  Pushed arm(32);
+  Filter<double> exact(kRated);
+  Filter<float> filter(static_cast<float>(kRated));
+  auto wrench = arm.wrench();
+  for (int k = 0; k < 1000; ++k) {
+    CAPTURE(k);
+    if (k % 40 == 39) wrench = arm.wrench();
+    const Joints y = arm.torque(wrench);
+    const double a = exact.update(y, arm.covariance, arm.jacobian, kBlock, 0.97);
+    const float b = filter.update(y.cast<float>(), arm.covariance.cast<float>(), arm.jacobian.cast<float>(),
+                                  static_cast<float>(kBlock), 0.97f);
+    // Of a wrench that is new, a float cannot tell torques that no wrench makes as finely.
+    const double nats = k < 2 || k % 40 == 39 || k % 40 == 0 ? 2 : 0.2;
+    CHECK(std::abs(static_cast<double>(b) - a) < nats);
+  }
+}
+
+TEST_CASE("PushFilter: what no wrench can be asked of is minus infinity, and is forgotten", "[push]") {
+  Pushed arm(33);
+  Filter<double> filter(kRated), fresh(kRated);
+  const Joints y = arm.torque(arm.wrench());
+  (void)filter.update(y, arm.covariance, arm.jacobian, kBlock, 0);
+  const double none = -std::numeric_limits<double>::infinity();
+  CHECK(filter.update(y, Covariance(-1e6 * Covariance::Identity()), arm.jacobian, kBlock, 0.97) == none);
+  filter.forget();
+  CHECK(filter.update(y, arm.covariance, arm.jacobian, kBlock, 0.97) ==
+        fresh.update(y, arm.covariance, arm.jacobian, kBlock, 0));
+}
+
+}  // namespace
