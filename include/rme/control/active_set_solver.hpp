@@ -9,6 +9,7 @@
 #include <rme/control/detail/metric_root.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
+#include <rme/core/unroll.hpp>
 #include <utility>
 
 namespace rme {
@@ -104,14 +105,15 @@ class ActiveSetSolver {
   // A constraint n x >= b held as an equality (less its slack): a row, or for row >= MaxRows a side of the box.
   struct Active {
     int row;
-    Scalar sign;        // +1 at the lower bound, -1 at the upper: n = sign a
-    Vector normal;      // n
-    Image image;        // g = B n
-    Scalar curvature;   // g g = n P n
-    Scalar bound;       // b
-    Scalar rise;        // d = b - n x_u, what x has to gain along n
-    Scalar compliance;  // c
-    Scalar multiplier;  // lambda
+    Scalar sign;          // +1 at the lower bound, -1 at the upper: n = sign a
+    Vector normal;        // n
+    Scalar squared_norm;  // |n|^2
+    Image image;          // g = B n
+    Scalar curvature;     // g g = n P n
+    Scalar bound;         // b
+    Scalar rise;          // d = b - n x_u, what x has to gain along n
+    Scalar compliance;    // c
+    Scalar multiplier;    // lambda
   };
 
   Status run(const Vector& x_u, const Rows& rows, const Vector& x_min, const Vector& x_max) noexcept;
@@ -146,6 +148,7 @@ class ActiveSetSolver {
   std::array<bool, index(kMaxActive)> held_;  // by row: is it in active_?
   Column multiplier_{}, slack_{};             // by row
   Vector x_ = Vector::Zero();
+  Scalar origin_ = 0, reach_ = 0;  // |x_u|, |x_u| + |x|
   int count_ = 0;
   int iterations_ = 0;
   bool relaxed_ = false;

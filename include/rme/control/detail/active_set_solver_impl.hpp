@@ -11,6 +11,7 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   rows_ = &rows;
   x_min_ = &x_min;
   x_max_ = &x_max;
+  origin_ = x_u.norm();
   relaxed_ = false;
   iterations_ = 0;
   held_.fill(false);
@@ -69,14 +70,18 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::make(int row, Scalar sign, Active& 
   if (row >= MaxRows) {
     const int j = row - MaxRows;
     a.normal = sign * Vector::Unit(j);
+    a.squared_norm = 1;
     a.image = sign * B_->col(j);
     a.bound = sign * (sign > 0 ? (*x_min_)[j] : (*x_max_)[j]);
     a.rise = a.bound - sign * (*x_u_)[j];
   } else {
     const auto& r = (*rows_)[row];
     a.normal = sign * r.a;
-    a.image = a.normal[0] * B_->col(0);
-    for (int i = 1; i < Size; ++i) a.image += a.normal[i] * B_->col(i);
+    a.squared_norm = r.squared_norm;
+    Image image = a.normal[0] * B_->col(0);  // in registers, where a.image could be a part of B for all that is known
+    RME_UNROLL
+    for (int i = 1; i < Size; ++i) image += a.normal[i] * B_->col(i);
+    a.image = image;
     a.bound = sign * (sign > 0 ? r.lower : r.upper);
     a.rise = a.bound - a.normal.dot(*x_u_);
   }
@@ -107,7 +112,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::push(int row, Scalar sign) noexcept
   typename Factor::Split split;
   factor_.split(a.image, a.compliance, count_, split);
   // A generous threshold: a constraint left out here comes back through enter() if the optimum needs it.
-  if (!(split.length * split.length > std::sqrt(kEpsilon) * a.curvature) || !std::isfinite(a.rise)) return;
+  if (!(split.squared > std::sqrt(kEpsilon) * a.curvature) || !std::isfinite(a.rise)) return;
   factor_.set(count_++, split);
   held_[index(row)] = true;
 }
@@ -128,18 +133,21 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::refactor(int from) noexcept {
     const Active& a = active_[index(k)];
     factor_.split(a.image, a.compliance, k, split);
     // Columns stay independent when others leave; the floor only guards against rounding.
-    split.length = std::max(split.length, kEpsilon * std::sqrt(a.curvature));
+    split.squared = std::max(split.squared, kEpsilon * kEpsilon * a.curvature);
     factor_.set(k, split);
   }
 }
 
-/// R^T w = d, R lambda = w
+/// R^T D w = d, R lambda = w
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::solve_multipliers(Column& w) noexcept {
   Column y;
   for (int k = 0; k < count_; ++k) {
     w[index(k)] = active_[index(k)].rise;
     factor_.forward(w, k);
+  }
+  for (int k = 0; k < count_; ++k) {
+    factor_.scale(w, k);
     y[index(k)] = w[index(k)];
   }
   factor_.backward(y, count_);
@@ -168,6 +176,7 @@ template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   x_ = *x_u_;
   if (count_ > 0) x_.noalias() += B_->transpose().lazyProduct(factor_.combine(w, count_));
+  reach_ = origin_ + x_.norm();
   exact_ = active_hold(kRounding);
   if (!exact_) refine();
 }
@@ -181,11 +190,15 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
     const Active& a = active_[index(k)];
     w[index(k)] = a.rise - a.normal.dot(moved) - a.compliance * a.multiplier;
     factor_.forward(w, k);
+  }
+  for (int k = 0; k < count_; ++k) {
+    factor_.scale(w, k);
     y[index(k)] = w[index(k)];
   }
   factor_.backward(y, count_);
   for (int k = 0; k < count_; ++k) active_[index(k)].multiplier += y[index(k)];
   x_.noalias() += B_->transpose().lazyProduct(factor_.combine(w, count_));
+  reach_ = origin_ + x_.norm();
 }
 
 /// Brings a violated constraint into the active set, dropping those whose multiplier would turn negative on the way.
@@ -211,9 +224,9 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(const Active& a) noexcept {
       }
       hard += other.compliance > 0 ? 0 : 1;
     }
-    const Scalar pivot = split.length * split.length;
+    const Scalar pivot = split.squared;
     const bool dependent = (hard >= Size && !(a.compliance > 0)) || !(pivot > 0) ||
-                           (split.cancelled && split.length <= 4 * kEpsilon * noise(a, r));
+                           (split.cancelled && std::sqrt(pivot) <= 4 * kEpsilon * noise(a, r));
     const Scalar full = dependent ? kInfinity : rise / pivot;
     if (full <= blocked && !dependent) {
       store(a, split);
@@ -241,13 +254,12 @@ Scalar ActiveSetSolver<Scalar, Size, MaxRows>::noise(const Active& a, const Colu
 /// Finds the violated constraint that is furthest away in x; the active ones hold.
 template <typename Scalar, int Size, int MaxRows>
 bool ActiveSetSolver<Scalar, Size, MaxRows>::most_violated(int& row, Scalar& sign) const noexcept {
-  const Scalar scale = x_u_->norm() + x_.norm();
   Scalar furthest = 0;
   const auto consider = [&](int i, Scalar value, Scalar lower, Scalar upper, Scalar squared_norm) {
     const Scalar below = lower - value, above = value - upper;
     const Scalar violation = std::max(below, above);
     if (!(violation > 0)) return;
-    const Scalar tolerance = kFeasible * (std::sqrt(squared_norm) * scale + std::abs(below > 0 ? lower : upper));
+    const Scalar tolerance = kFeasible * (std::sqrt(squared_norm) * reach_ + std::abs(below > 0 ? lower : upper));
     if (violation <= tolerance || !(violation * violation > furthest * squared_norm)) return;
     furthest = violation * violation / squared_norm;
     row = i;
@@ -270,7 +282,7 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance) const
     const Active& a = active_[index(k)];
     const Scalar miss = a.bound - a.normal.dot(x_) - a.compliance * std::max(a.multiplier, Scalar(0));
     if (miss <= tolerance * std::abs(a.bound)) continue;
-    if (!(miss <= tolerance * (a.normal.norm() * (x_u_->norm() + x_.norm()) + std::abs(a.bound)))) return false;
+    if (!(miss <= tolerance * (std::sqrt(a.squared_norm) * reach_ + std::abs(a.bound)))) return false;
   }
   return true;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <rme/core/types.hpp>
+#include <rme/core/unroll.hpp>
 
 namespace rme::detail {
 
@@ -11,16 +12,21 @@ namespace rme::detail {
 /// eigenvalues its own rounding has taken, pivots have a floor.
 template <typename Root, typename Scalar, int Size>
 void metric_root(const Eigen::Matrix<Scalar, Size, Size>& P, Root& B) noexcept {
-  using Column = Eigen::Matrix<Scalar, Root::RowsAtCompileTime, 1>;  // of a length that vector instructions like
-  Root rest = Root::Zero();
-  rest.template topRows<Size>() = P;
+  // Columns leave one after the other; no root is waited for, since the rest needs the pivot alone.
+  Eigen::Matrix<Scalar, Size, Size> rest = P;  // below the diagonal
   B.setZero();
+  RME_UNROLL
   for (int j = 0; j < Size; ++j) {
     const Scalar pivot = std::max(rest(j, j), std::numeric_limits<Scalar>::epsilon() * P(j, j));
-    const Column scaled = rest.col(j) * (Scalar(1) / pivot);
-    for (int k = j + 1; k < Size; ++k) rest.col(k) -= rest(k, j) * scaled;
-    const Scalar root = std::sqrt(pivot);
-    for (int k = j; k < Size; ++k) B(j, k) = root * scaled[k];
+    const Scalar inverse = Scalar(1) / pivot, root = std::sqrt(pivot), inverse_root = inverse * root;
+    B(j, j) = root;
+    RME_UNROLL
+    for (int k = j + 1; k < Size; ++k) {
+      const Scalar factor = rest(k, j) * inverse;
+      B(j, k) = rest(k, j) * inverse_root;
+      RME_UNROLL
+      for (int i = k; i < Size; ++i) rest(i, k) -= rest(i, j) * factor;
+    }
   }
 }
 
