@@ -35,19 +35,23 @@ class ActiveFactor {
   void clear() noexcept { soft_ = false; }
 
   /// Splits a column against the first `count`.
-  void split(const Image& g, Scalar compliance, int count, Split& s) const noexcept {
+  /// @param squared  |g|^2
+  void split(const Image& g, Scalar squared, Scalar compliance, int count, Split& s) const noexcept {
     s.top = g;
     s.soft = soft_ || compliance > 0;
     if (s.soft) {
       for (int j = 0; j < count; ++j) s.beside[at(j)] = 0;
       s.beside[at(count)] = std::sqrt(compliance);
     }
+    s.squared = squared + compliance;
+    s.cancelled = false;
+    if (count == 0) return;
     for (int l = 0; l < count; ++l) s.within[at(l)] = q_[at(l)].dot(g) * inverse_[at(l)];
     subtract(s.within, count, s);
     s.squared = squared_length(s, count);
-    s.cancelled = count > 0 && s.squared < Scalar(0.01) * (g.squaredNorm() + compliance);
+    s.cancelled = s.squared < Scalar(0.01) * (squared + compliance);
     if (s.cancelled) {
-      Column again;
+      Column again{};
       for (int l = 0; l < count; ++l) {
         again[at(l)] = q_[at(l)].dot(s.top);
         if (soft_) {

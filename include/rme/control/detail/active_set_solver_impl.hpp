@@ -12,7 +12,8 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   x_min_ = &x_min;
   x_max_ = &x_max;
   origin_ = x_u.norm();
-  relaxed_ = false;
+  relaxed_ = stretched_less_ = false;
+  B_ = given_;
   iterations_ = 0;
   held_.fill(false);
   factor_.clear();
@@ -46,6 +47,8 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
       Column w;
       solve_multipliers(w);
       move(w);
+    } else if (!relaxed_ && !stretched_less_) {
+      stretch_less();
     } else if (!relaxed_) {
       relax();
     } else {
@@ -110,7 +113,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::push(int row, Scalar sign) noexcept
   Active& a = active_[index(count_)];
   make(row, sign, a);
   typename Factor::Split split;
-  factor_.split(a.image, a.compliance, count_, split);
+  factor_.split(a.image, a.curvature, a.compliance, count_, split);
   // A generous threshold: a constraint left out here comes back through enter() if the optimum needs it.
   if (!(split.squared > std::sqrt(kEpsilon) * a.curvature) || !std::isfinite(a.rise)) return;
   factor_.set(count_++, split);
@@ -131,7 +134,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::refactor(int from) noexcept {
   typename Factor::Split split;
   for (int k = from; k < count_; ++k) {
     const Active& a = active_[index(k)];
-    factor_.split(a.image, a.compliance, k, split);
+    factor_.split(a.image, a.curvature, a.compliance, k, split);
     // Columns stay independent when others leave; the floor only guards against rounding.
     split.squared = std::max(split.squared, kEpsilon * kEpsilon * a.curvature);
     factor_.set(k, split);
@@ -209,7 +212,7 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(const Active& a) noexcept {
   typename Factor::Split split;
   Column r;
   for (; iterations_ < kMaxIterations; ++iterations_) {
-    factor_.split(a.image, a.compliance, count_, split);
+    factor_.split(a.image, a.curvature, a.compliance, count_, split);
     for (int k = 0; k < count_; ++k) r[index(k)] = split.within[index(k)];
     factor_.backward(r, count_);
     Scalar blocked = kInfinity;  // the step at which a multiplier reaches zero
@@ -287,11 +290,41 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance) const
   return true;
 }
 
-/// Makes the hard rows soft and goes on from the active set reached.
+/// Rows that seem to contradict each other may only do so in a metric that is stretched too far for its rounding: goes
+/// on in that of P + epsilon tr(P) I, with a root of condition 1 / sqrt(epsilon) at most.
+template <typename Scalar, int Size, int MaxRows>
+void ActiveSetSolver<Scalar, Size, MaxRows>::stretch_less() noexcept {
+  stretched_less_ = true;
+  constexpr int kRows = Root::RowsAtCompileTime;
+  Eigen::Matrix<Scalar, kRows + Size, Size> tall;
+  const Scalar least = std::sqrt(kEpsilon) * B_->norm();
+  for (int j = 0; j < Size; ++j) {
+    for (int i = 0; i < kRows; ++i) tall(i, j) = (*B_)(i, j);
+    for (int i = 0; i < Size; ++i) tall(kRows + i, j) = i == j ? least : Scalar(0);
+  }
+  Vector diagonal;
+  detail::householder(tall, diagonal);
+  root_.setZero();
+  for (int j = 0; j < Size; ++j) {
+    for (int i = 0; i < j; ++i) root_(i, j) = tall(i, j);
+    root_(j, j) = diagonal[j];
+  }
+  B_ = &root_;
+  remake();
+}
+
+/// Makes the hard rows soft and goes on from the active set reached, in the metric that was given.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::relax() noexcept {
   relaxed_ = true;
-  for (int k = 0; k < count_; ++k) active_[index(k)].compliance = compliance(active_[index(k)]);
+  B_ = given_;
+  remake();
+}
+
+/// The active constraints under another metric or compliance.
+template <typename Scalar, int Size, int MaxRows>
+void ActiveSetSolver<Scalar, Size, MaxRows>::remake() noexcept {
+  for (int k = 0; k < count_; ++k) make(active_[index(k)].row, active_[index(k)].sign, active_[index(k)]);
   refactor(0);
   restore();
 }

@@ -12,7 +12,7 @@ namespace rme::detail {
 /// eigenvalues its own rounding has taken, pivots have a floor.
 template <typename Root, typename Scalar, int Size>
 void metric_root(const Eigen::Matrix<Scalar, Size, Size>& P, Root& B) noexcept {
-  // Columns leave one after the other; no root is waited for, since the rest needs the pivot alone.
+  // Columns leave one after the other. Nothing waits for a root, and as little as may be for the division.
   Eigen::Matrix<Scalar, Size, Size> rest = P;  // below the diagonal
   B.setZero();
   RME_UNROLL
@@ -22,10 +22,9 @@ void metric_root(const Eigen::Matrix<Scalar, Size, Size>& P, Root& B) noexcept {
     B(j, j) = root;
     RME_UNROLL
     for (int k = j + 1; k < Size; ++k) {
-      const Scalar factor = rest(k, j) * inverse;
       B(j, k) = rest(k, j) * inverse_root;
       RME_UNROLL
-      for (int i = k; i < Size; ++i) rest(i, k) -= rest(i, j) * factor;
+      for (int i = k; i < Size; ++i) rest(i, k) -= rest(i, j) * rest(k, j) * inverse;
     }
   }
 }
