@@ -7,7 +7,6 @@
 #include <rme/control/constraint_rows.hpp>
 #include <rme/control/detail/active_factor.hpp>
 #include <rme/control/detail/metric_root.hpp>
-#include <rme/core/householder.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/unroll.hpp>
@@ -164,4 +163,5 @@ class ActiveSetSolver {
 
 }  // namespace rme
 
+#include <rme/control/detail/active_set_metric_impl.hpp>
 #include <rme/control/detail/active_set_solver_impl.hpp>

@@ -1,8 +1,9 @@
 #pragma once
-/// A root of the inverse Hessian of a quadratic program.
+/// Roots of the inverse Hessian of a quadratic program.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <rme/core/householder.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/unroll.hpp>
 
@@ -27,6 +28,24 @@ void metric_root(const Eigen::Matrix<Scalar, Size, Size>& P, Root& B) noexcept {
       for (int i = k; i < Size; ++i) rest(i, k) -= rest(i, j) * rest(k, j) * inverse;
     }
   }
+}
+
+/// A root of B^T B + least^2 I: R of the QR factorisation of [B; least I].
+template <typename Scalar, int Rows, int Size>
+Eigen::Matrix<Scalar, Rows, Size> stretched_less(const Eigen::Matrix<Scalar, Rows, Size>& B, Scalar least) noexcept {
+  Eigen::Matrix<Scalar, Rows + Size, Size> tall;
+  for (int j = 0; j < Size; ++j) {
+    for (int i = 0; i < Rows; ++i) tall(i, j) = B(i, j);
+    for (int i = 0; i < Size; ++i) tall(Rows + i, j) = i == j ? least : Scalar(0);
+  }
+  Eigen::Matrix<Scalar, Size, 1> diagonal;
+  householder(tall, diagonal);
+  Eigen::Matrix<Scalar, Rows, Size> root = Eigen::Matrix<Scalar, Rows, Size>::Zero();
+  for (int j = 0; j < Size; ++j) {
+    for (int i = 0; i < j; ++i) root(i, j) = tall(i, j);
+    root(j, j) = diagonal[j];
+  }
+  return root;
 }
 
 }  // namespace rme::detail
