@@ -196,7 +196,8 @@ typename rme::Cpic<Scalar, 7>::Rows rounded_rows(const From& rows) {
 
 /// 200 walks of 200 ticks: the arm moves in a straight line, the task force drifts, a torque that keeps the rows
 /// exists.
-bool panda_walk(unsigned seed, int general, const char* what) {
+/// @param cold  float forgets the active set between two ticks
+bool panda_walk(unsigned seed, int general, bool cold, const char* what) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform;
   const auto& model = panda();
@@ -240,6 +241,7 @@ bool panda_walk(unsigned seed, int general, const char* what) {
       const auto small_input = rounded<float>(input);
       const auto small_rows = rounded_rows<float>(rows);
       const Status expected = reference.update(rounded<double>(input), rows);
+      if (cold) cpic.reset();
       const Status status = cpic.update(small_input, small_rows);
       tally.enter(expected, status, largest_miss(cpic, small_input, small_rows), 1e-3, cpic.iterations());
     }
@@ -300,8 +302,10 @@ int run(rme::examples::Arguments& arguments) {
   bool good = random_problems<2>(seed, count);
   good = random_problems<6>(seed + 1, count) && good;
   good = random_problems<7>(seed + 2, count) && good;
-  good = panda_walk(seed + 3, 7, "float, Panda walk, limits and 7 random rows") && good;
-  good = panda_walk(seed + 4, 0, "float, Panda walk, limits alone") && good;
+  good = panda_walk(seed + 3, 7, false, "float, Panda walk, limits and 7 random rows, warm") && good;
+  good = panda_walk(seed + 3, 7, true, "float, Panda walk, limits and 7 random rows, cold") && good;
+  good = panda_walk(seed + 4, 0, false, "float, Panda walk, limits alone, warm") && good;
+  good = panda_walk(seed + 4, 0, true, "float, Panda walk, limits alone, cold") && good;
   // So many that float would call some infeasible if the solver did not look again in a metric that is stretched less.
   const long arms = std::max(count / 10, 4000L);
   const double corners[][4] = {{1e-3, 1, 0.02, 0.02},  {1e-3, 0.1, 0.02, 0.02}, {1e-5, 1, 0.02, 0.02},
