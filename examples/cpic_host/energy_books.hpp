@@ -20,22 +20,33 @@ class EnergyBooks {
     const auto& J = arm.kinematics().jacobian;
     const JointVector<double, 7> passive = J.transpose() * host.passive().wrench().vector();
     const JointVector<double, 7> mismatch = host.compensation() - (actual.gravity - arm.dynamics().gravity);
-    const double supplied = dq.dot(J.topRows<3>().transpose() * push + mismatch + host.cpic().torque() - passive) +
-                            host.passive().injected_power();
-    (void)monitor_.update(kinetic_energy<double, 7>(actual.mass_matrix, dq) + host.passive().potential_energy(),
-                          supplied);
+    power_ = dq.dot(J.topRows<3>().transpose() * push + mismatch + host.cpic().torque() - passive) +
+             host.passive().injected_power();
+    (void)monitor_.update(
+        kinetic_energy<double, 7>(actual.mass_matrix, dq) + host.passive().potential_energy() - brought_, power_);
     const double dissipated = host.passive().dissipated_power();
     if (open_) dissipated_ += period_ * (dissipated + last_dissipated_) / 2;
     last_dissipated_ = dissipated;
     open_ = true;
   }
+  /// An object came or went between the last update and this one, in full motion. The kinetic energy that it brought or
+  /// took along is not the arm's; and the power of the tick before is that of what was held until now.
+  /// @param before  what was held until now
+  void exchange(const SyntheticArm<7>& arm, const RigidBody& before) noexcept {
+    const JointVector<double, 7>& dq = arm.dq();
+    const Dynamics<7> then = arm.model().dynamics(arm.q(), dq, before),
+                      now = arm.model().dynamics(arm.q(), dq, arm.payload());
+    brought_ += kinetic_energy<double, 7>(now.mass_matrix, dq) - kinetic_energy<double, 7>(then.mass_matrix, dq) +
+                period_ / 2 * dq.dot(now.gravity - then.gravity);
+  }
   void reset() noexcept {
     monitor_.reset();
     open_ = false;
-    dissipated_ = 0;
+    dissipated_ = brought_ = 0;
   }
 
-  double stored() const noexcept { return monitor_.storage(); }     // [J]
+  double stored() const noexcept { return monitor_.storage(); }     // less what objects brought along [J]
+  double power() const noexcept { return power_; }                  // supplied [W]
   double supplied() const noexcept { return monitor_.supplied(); }  // [J]
   /// Stored minus supplied [J]: never rises for a passive system.
   double residual() const noexcept { return monitor_.residual(); }
@@ -45,6 +56,7 @@ class EnergyBooks {
  private:
   PassivityMonitor<double> monitor_;
   double period_;
+  double power_ = 0, brought_ = 0;
   double dissipated_ = 0, last_dissipated_ = 0;
   bool open_ = false;
 };

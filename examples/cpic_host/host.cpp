@@ -40,7 +40,9 @@ Host::Host(const ArmModel<7>& model, const HostConfig& config)
       ramp_(config.period),
       prediction_(config.period),
       disturbance_(config.period, {Vector::Constant(400)}),
-      limit_(model.tau_max) {}
+      limit_(model.tau_max) {
+  if (config.tank) tank_.emplace(config.period, *config.tank);
+}
 
 auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexcept -> const Vector& {
   const Kinematics<7>& kinematics = arm.kinematics();
@@ -52,6 +54,14 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
   if (status_ != Status::Ok) return torque_;
   status_ = ramp_.update(compensation);
   if (status_ != Status::Ok) return torque_;
+  compensation_ = ramp_.torque();
+  if (tank_) {  // heights from the target on: the middle of where this arm works
+    status_ = tank_->update(
+        dq.dot(ramp_.torque()),
+        compensation_potential<double>(payload_.payload(), kinematics.position - config_.target, kinematics.rotation));
+    if (status_ != Status::Ok) return torque_;
+    compensation_ *= tank_->share();
+  }
 
   // The rows rest on a prediction of ddq. What the last command does not explain of the motion since (a push,
   // friction, a payload's weight) is taken to last: an observer fed with commands, fast, since no offset of a sensor
@@ -62,10 +72,10 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
   input.jacobian = kinematics.jacobian;
   input.mass_matrix = dynamics.mass_matrix;
   input.bias = dynamics.coriolis;
-  if (config_.prediction == Prediction::Observer) input.bias -= ramp_.torque() + disturbance_.tau_ext();
+  if (config_.prediction == Prediction::Observer) input.bias -= compensation_ + disturbance_.tau_ext();
   input.wrench = passive_.wrench();
   input.null_torque = posture_.torque(q, dq);
-  input.other_torque = dynamics.gravity + ramp_.torque();
+  input.other_torque = dynamics.gravity + compensation_;
 
   status_ = prediction_.observe(dq);
   if (status_ != Status::Ok) return torque_;

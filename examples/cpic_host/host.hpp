@@ -7,6 +7,7 @@
 #include <rme/control/barriers.hpp>
 #include <rme/control/compensation.hpp>
 #include <rme/control/cpic.hpp>
+#include <rme/control/energy_tank.hpp>
 #include <rme/control/limit_cycle.hpp>
 #include <rme/control/linear_attractor.hpp>
 #include <rme/control/orientation_attractor.hpp>
@@ -49,13 +50,14 @@ struct HostConfig {
   double margin = 0.005;
   bool sampled = false;  // rows for sampled time, tightened by the error of the prediction as seen just now
   Prediction prediction = Prediction::Observer;
-  bool payload_aware = false;          // rows allow for what the payload is not known to be: see believe()
-  std::optional<Wall> wall;            // by default a soft row: the arm's own limits go first
-  double wall_weight = 1e3;            // infinite: hard
-  Eigen::Vector3d target;              // of the linear attractor, or the centre of the cycle [m]
-  std::optional<double> cycle_radius;  // [m]; turns in the y-z plane
-  Eigen::Quaterniond orientation;      // target
-  JointVector<double, 7> posture;      // where the elbow likes to be [rad]
+  std::optional<EnergyTankConfig> tank;  // the compensation is paid from it, with the payload of believe()
+  bool payload_aware = false;            // rows allow for what the payload is not known to be: see believe()
+  std::optional<Wall> wall;              // by default a soft row: the arm's own limits go first
+  double wall_weight = 1e3;              // infinite: hard
+  Eigen::Vector3d target;                // of the linear attractor, or the centre of the cycle [m]
+  std::optional<double> cycle_radius;    // [m]; turns in the y-z plane
+  Eigen::Quaterniond orientation;        // target
+  JointVector<double, 7> posture;        // where the elbow likes to be [rad]
 
   /// To hold the pose of `q`.
   static HostConfig hold(const ArmModel<7>& model, const JointVector<double, 7>& q) {
@@ -80,7 +82,7 @@ class Host {
   /// @return the torque to command [N m], gravity included
   const Vector& update(const SyntheticArm<7>& arm, const Vector& compensation) noexcept;
 
-  /// What is in the hand, for payload_aware; until the first call, that it is surely empty.
+  /// What is in the hand, for payload_aware and the tank; until the first call, that it is surely empty.
   void believe(const PayloadGaussian<double>& payload, const PerHypothesis<double>& probability) noexcept {
     payload_ = payload;
     probability_ = probability;
@@ -90,7 +92,8 @@ class Host {
   Status status() const noexcept { return status_; }
   const Cpic<double, 7, 8>& cpic() const noexcept { return cpic_; }
   const PassiveController<double>& passive() const noexcept { return passive_; }
-  const Vector& compensation() const noexcept { return ramp_.torque(); }
+  /// What of the compensation is commanded [N m]: what ramp and tank let through.
+  const Vector& compensation() const noexcept { return compensation_; }
 
  private:
   /// CPIC under rows that allow for this error of the prediction.
@@ -108,6 +111,8 @@ class Host {
   BarrierPoles<double> wall_poles_;
   Cpic<double, 7, 8> cpic_;
   CompensationRamp<double, 7> ramp_;
+  std::optional<EnergyTank<double>> tank_;
+  Vector compensation_ = Vector::Zero();
   PredictionErrorWatch<double, 7> prediction_;
   PayloadUncertainty<double, 7> uncertainty_;
   PointMotion<double, 7> flange_;

@@ -1,13 +1,19 @@
-// The controller's quadratic program against a peer that Debian ships: NLopt's SLSQP (sequential least squares, Kraft
-// 1988), on the same random problems with 14 rows and a box, from the same numbers. Both start cold, from the box's
-// middle or nothing. The answers are compared in the same run: the
-// program fails if SLSQP ever finds a better point, or agrees on less than half of the problems.
+// The controller's quadratic program against the peers that Debian ships, on the same random problems with 14 rows and
+// a box, from the same numbers, all cold. The answers are compared in the same run: the program fails if a peer ever
+// finds a better point, or agrees on less than half of the problems.
 //
-// Of the solvers made for such programs (qpOASES, OSQP, eiquadprog, QuadProg++, DAQP, ProxQP), Debian 12 has none;
-// Ipopt is for problems a thousand times as large.
+//   quadprog   Goldfarb's and Idnani's dual method in Fortran, from R's package (r-cran-quadprog); the box as 14 more
+//              rows, since it knows none
+//   NLopt      its SLSQP (sequential least squares, Kraft 1988), from the middle of the box
+//
+// Of the solvers made for such programs (qpOASES, OSQP, eiquadprog, QuadProg++, DAQP, ProxQP) Debian 12 has no package
+// (apt-cache policy). It has Ipopt, which is for problems a thousand times as large, and CVXOPT, Octave's qp and CGAL's
+// exact solver, which are not for a loop.
 #include <nlopt.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -58,6 +64,43 @@ Problem draw(std::mt19937& random) {
   return p;
 }
 
+#ifdef RME_WITH_QUADPROG
+extern "C" void qpgen2_(double* Q, double* Qx_u, const int* rows_of_Q, const int* size, double* x, double* multipliers,
+                        double* value, const double* normals, const double* bounds, const int* rows_of_normals,
+                        const int* count, const int* equalities, int* active, int* active_count, int* iterations,
+                        double* work, int* error);
+
+/// The problem as quadprog is given it. It writes over Q and Q x_u.
+struct Quadprog {
+  static constexpr int kCount = kRows + 2 * kSize;
+  Matrix Q;
+  Vector Qx_u, x = Vector::Zero();
+  Eigen::Matrix<double, kSize, kCount> normals;
+  Eigen::Matrix<double, kCount, 1> bounds, multipliers;
+  std::array<int, kCount> active{};
+  std::array<double, 2 * kSize + kSize*(kSize + 5) / 2 + 2 * kCount + 1> work{};
+  int error = 0;  // in: Q is not factorised
+
+  explicit Quadprog(const Problem& p) : Q(p.Q), Qx_u(p.Q * p.x_u) {
+    for (int i = 0; i < kRows; ++i) {
+      normals.col(i) = p.rows[i].a;
+      bounds[i] = p.rows[i].lower;
+    }
+    normals.middleCols<kSize>(kRows).setIdentity();
+    bounds.segment<kSize>(kRows) = p.x_min;
+    normals.rightCols<kSize>() = -Matrix::Identity();
+    bounds.tail<kSize>() = -p.x_max;
+  }
+  void solve() {
+    const int size = kSize, count = kCount, equalities = 0;
+    int active_count = 0, iterations[2] = {0, 0};
+    double value = 0;
+    qpgen2_(Q.data(), Qx_u.data(), &size, &size, x.data(), multipliers.data(), &value, normals.data(), bounds.data(),
+            &size, &count, &equalities, active.data(), &active_count, iterations, work.data(), &error);
+  }
+};
+#endif
+
 double cost(unsigned, const double* x, double* gradient, void* data) {
   const auto& p = *static_cast<const Problem*>(data);
   const Vector d = Eigen::Map<const Vector>(x) - p.x_u, Qd = p.Q * d;
@@ -80,6 +123,10 @@ int main(int argc, char** argv) {
   std::mt19937 random(seed);
   std::vector<double> ours[4], theirs[4];
   double worst = 0;
+#ifdef RME_WITH_QUADPROG
+  std::vector<double> quadprog[4];
+  double furthest = 0;
+#endif
   int agreed = 0, short_of = 0;
   for (int i = 0; i < count; ++i) {
     rme::benchmarks::rest();
@@ -106,6 +153,16 @@ int main(int argc, char** argv) {
     // SLSQP gives up, or stops short, where it cannot tell descent from rounding; its point, where it keeps the rows,
     // must never be the better one.
     const double best = cost(kSize, solver.solution().data(), nullptr, &p);
+#ifdef RME_WITH_QUADPROG
+    Quadprog other(p);
+    quadprog[bin].push_back(rme::benchmarks::time_of([&] { other.solve(); }));
+    const double apart = (other.x - solver.solution()).norm() / (1 + other.x.norm());
+    furthest = std::max(furthest, apart);
+    if (other.error != 0 || !(apart < 1e-9)) {
+      std::printf("problem %d: quadprog's error %d, its answer is %.1e apart\n", i, other.error, apart);
+      return 1;
+    }
+#endif
     double miss = 0;
     for (int k = 0; k < kRows; ++k) miss = std::max(miss, p.rows[k].lower - p.rows[k].a.dot(x));
     if (status != rme::Status::Ok || (miss < 1e-9 && value < best - 1e-6 * (1 + best))) {
@@ -124,6 +181,9 @@ int main(int argc, char** argv) {
   rme::benchmarks::print_head("Quadratic programs of 7 variables, 14 rows and a box, cold");
   for (int b = 0; b < 4; ++b) {
     rme::benchmarks::print_row(std::string("ActiveSetSolver::solve, ") + names[b], ours[b]);
+#ifdef RME_WITH_QUADPROG
+    rme::benchmarks::print_row(std::string("quadprog, ") + names[b], quadprog[b]);
+#endif
     rme::benchmarks::print_row(std::string("NLopt SLSQP, ") + names[b], theirs[b]);
   }
   std::printf(
@@ -131,5 +191,8 @@ int main(int argc, char** argv) {
       "on "
       "%d, and was never better\n",
       count, seed, agreed, worst, short_of);
+#ifdef RME_WITH_QUADPROG
+  std::printf("quadprog's answers on all of them are at most %.1e apart from ours, relative\n", furthest);
+#endif
   return agreed > count / 2 ? 0 : 1;
 }

@@ -3,7 +3,7 @@
 # shellcheck source=cmake/setup.sh
 source "$(dirname "$0")/../../cmake/setup.sh"
 
-install_packages "${build_packages[@]}" catch2 liborocos-kdl-dev libtorch-dev python3-torch python3-matplotlib
+install_packages "${build_packages[@]}" catch2 liborocos-kdl-dev libnlopt-dev r-cran-quadprog libtorch-dev python3-torch python3-matplotlib
 configure -DRME_BUILD_BENCHMARKS=ON
 build benchmarks
 say "measuring"

@@ -4,8 +4,7 @@
 // Random problems of 2, 6 and 7 variables with P of condition up to 1e6, soft, repeated and nearly parallel rows (1e-4
 // apart); a simulated Panda's random walk with joint limits, with and without seven random rows; and random arms, near
 // singular poses too, at the corners of the settings that Cpic accepts. Float is given the problem rounded to float,
-// double that same rounded problem. Exit code 0 if float solved all that double did (of the random arms, 999 in
-// 1000) and no Ok came with a missed row.
+// double that same rounded problem. Exit code 0 if float solved all that double did and no Ok came with a missed row.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -58,12 +57,11 @@ struct Tally {
     infeasible += status == Status::Infeasible ? 1 : 0;
     not_converged += status == Status::Ok || status == Status::Infeasible ? 0 : 1;
   }
-  /// @param share  of the solved ones that may be called infeasible
-  bool print(const char* what, double share = 0) const {
+  bool print(const char* what) const {
     std::printf("| %-58s | %8ld | %10ld | %9ld | %6ld | %9.1e | %10d |\n", what, solved, infeasible, not_converged,
                 missed, worst, iterations);
     std::fflush(stdout);
-    return static_cast<double>(infeasible) <= share * static_cast<double>(solved) && not_converged == 0 && missed == 0;
+    return infeasible == 0 && not_converged == 0 && missed == 0;
   }
 };
 
@@ -198,7 +196,8 @@ typename rme::Cpic<Scalar, 7>::Rows rounded_rows(const From& rows) {
 
 /// 200 walks of 200 ticks: the arm moves in a straight line, the task force drifts, a torque that keeps the rows
 /// exists.
-bool panda_walk(unsigned seed, int general, const char* what) {
+/// @param cold  float forgets the active set between two ticks
+bool panda_walk(unsigned seed, int general, bool cold, const char* what) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform;
   const auto& model = panda();
@@ -242,6 +241,7 @@ bool panda_walk(unsigned seed, int general, const char* what) {
       const auto small_input = rounded<float>(input);
       const auto small_rows = rounded_rows<float>(rows);
       const Status expected = reference.update(rounded<double>(input), rows);
+      if (cold) cpic.reset();
       const Status status = cpic.update(small_input, small_rows);
       tally.enter(expected, status, largest_miss(cpic, small_input, small_rows), 1e-3, cpic.iterations());
     }
@@ -249,8 +249,8 @@ bool panda_walk(unsigned seed, int general, const char* what) {
   return tally.print(what);
 }
 
-/// Random arms, every third next to a singular pose, with settings that the constructor accepts. Among their rows are
-/// many without room: what float makes of M^-1 may leave no torque that keeps them all, here allowed for 1 in 1000.
+/// Random arms, every third next to a singular pose, with settings that the constructor accepts; many of their rows are
+/// without room.
 template <typename Scalar>
 bool settings(unsigned seed, long count, double weight, double moment_arm, double clearance, double damping,
               double allowed) {
@@ -289,7 +289,7 @@ bool settings(unsigned seed, long count, double weight, double moment_arm, doubl
   char what[80];
   std::snprintf(what, sizeof what, "%s, eps %.0e, l %.0e, clearance %.0e, damping %.0e",
                 sizeof(Scalar) == 4 ? "float" : "double", weight, moment_arm, clearance, damping);
-  return tally.print(what, sizeof(Scalar) == 4 ? 1e-3 : 0);
+  return tally.print(what);
 }
 
 int run(rme::examples::Arguments& arguments) {
@@ -302,12 +302,15 @@ int run(rme::examples::Arguments& arguments) {
   bool good = random_problems<2>(seed, count);
   good = random_problems<6>(seed + 1, count) && good;
   good = random_problems<7>(seed + 2, count) && good;
-  good = panda_walk(seed + 3, 7, "float, Panda walk, limits and 7 random rows") && good;
-  good = panda_walk(seed + 4, 0, "float, Panda walk, limits alone") && good;
-  const long arms = count / 10;
-  const double corners[][4] = {{1e-3, 0.1, 0.02, 0.02}, {1e-5, 1, 0.02, 0.02}, {1e-3, 1, 0.002, 0.02},
-                               {1e4, 0.01, 0.01, 1e-4}, {1e-5, 10, 0.02, 1},   {1, 0.1, 0.001, 0.001},
-                               {1e-3, 200, 0.02, 1e-4}};
+  good = panda_walk(seed + 3, 7, false, "float, Panda walk, limits and 7 random rows, warm") && good;
+  good = panda_walk(seed + 3, 7, true, "float, Panda walk, limits and 7 random rows, cold") && good;
+  good = panda_walk(seed + 4, 0, false, "float, Panda walk, limits alone, warm") && good;
+  good = panda_walk(seed + 4, 0, true, "float, Panda walk, limits alone, cold") && good;
+  // So many that float would call some infeasible if the solver did not look again in a metric that is stretched less.
+  const long arms = std::max(count / 10, 4000L);
+  const double corners[][4] = {{1e-3, 1, 0.02, 0.02},  {1e-3, 0.1, 0.02, 0.02}, {1e-5, 1, 0.02, 0.02},
+                               {1e-3, 1, 0.002, 0.02}, {1e4, 0.01, 0.01, 1e-4}, {1e-5, 10, 0.02, 1},
+                               {1, 0.1, 0.001, 0.001}, {1e-3, 200, 0.02, 1e-4}};
   for (const auto& c : corners) good = settings<float>(seed + 5, arms, c[0], c[1], c[2], c[3], 1e-3) && good;
   for (const auto& c : corners) good = settings<double>(seed + 5, arms, c[0], c[1], c[2], c[3], 1e-12) && good;
   good = settings<double>(seed + 6, arms, 1e-9, 1, 0.02, 0.02, 1e-12) && good;

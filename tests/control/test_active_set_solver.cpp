@@ -84,6 +84,38 @@ TEMPLATE_TEST_CASE("ActiveSetSolver: two rows that the metric makes nearly paral
         10 * Eigen::NumTraits<TestType>::epsilon());
 }
 
+TEMPLATE_TEST_CASE("ActiveSetSolver: rows that only a metric's rounding makes contradictory are kept", "[qp]", float,
+                   double) {
+  // The same rows, but P = diag(p, 1 / p^2) with p so large that what tells B (1, 1) and B (-1, 1) apart is rounding.
+  using Vector = Eigen::Matrix<TestType, 2, 1>;
+  rme::ActiveSetSolver<TestType, 2, 2> solver;
+  rme::ConstraintRows<TestType, 2, 2> rows;
+  REQUIRE(rows.add(Vector(1, 1), 1) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(-1, 1), 2) == rme::Status::Ok);
+  const TestType p = sizeof(TestType) == 4 ? TestType(1e5) : TestType(1e12);
+  const Eigen::Matrix<TestType, 2, 2> P = Vector(p, 1 / (p * p)).asDiagonal();
+  typename decltype(solver)::Root root = decltype(solver)::Root::Zero();
+  root(0, 0) = std::sqrt(P(0, 0));
+  root(1, 1) = std::sqrt(P(1, 1));
+  const Vector far = Vector::Constant(100), kept(TestType(-0.5), TestType(1.5));
+  const TestType tolerance = 10 * Eigen::NumTraits<TestType>::epsilon();
+  for (int tick = 0; tick < 2; ++tick) {  // cold and warm
+    REQUIRE(solver.solve_from_root(root, Vector::Zero(), rows, -far, far) == rme::Status::Ok);
+    CHECK((solver.solution() - kept).norm() < tolerance);
+  }
+  solver.reset();
+  REQUIRE(solver.solve(P, Vector::Zero(), rows, -far, far) == rme::Status::Ok);
+  CHECK((solver.solution() - kept).norm() < tolerance);
+  // What does contradict is still said to: x + y >= 1 and <= -1, missed by one each. The given metric says where.
+  rows.clear();
+  REQUIRE(rows.add(Vector(1, 1), 1) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(-1, -1), 1) == rme::Status::Ok);
+  for (int tick = 0; tick < 2; ++tick) {
+    REQUIRE(solver.solve_from_root(root, Vector(0, 1), rows, -far, far) == rme::Status::Infeasible);
+    CHECK((solver.solution() - Vector(-1, 1)).norm() < TestType(1e-2));
+  }
+}
+
 TEST_CASE("ActiveSetSolver: the box is a constraint like any other", "[qp]") {
   // x + y >= 3 with x <= 1 and y <= 5: (1, 2). Lagrange: y = l = 2, x = l + m = 1, so m = -1 on the upper side of x.
   Solver2 solver;

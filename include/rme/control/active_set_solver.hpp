@@ -9,6 +9,7 @@
 #include <rme/control/detail/metric_root.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
+#include <rme/core/unroll.hpp>
 #include <utility>
 
 namespace rme {
@@ -26,6 +27,8 @@ namespace rme {
 ///
 /// Ok says that every row and the box hold, the active ones included: each is looked at in the x that is returned, and
 /// none is missed by more than kTolerance (|a| (|x| + |x_u|) + |bound|), a soft one by more than that beyond its slack.
+/// Where rows contradict each other only in the rounding of a stretched metric, x is the optimum for P + epsilon tr(P)
+/// I.
 ///
 /// The box x_min..x_max always holds. When hard rows contradict each other or the box, all of them become soft, with
 /// the compliance sqrt(machine epsilon) a_i P a_i^T: the least sum of squared violations, each measured by the cost of
@@ -57,14 +60,14 @@ class ActiveSetSolver {
   Status solve(const Matrix& P, const Vector& x_u, const Rows& rows, const Vector& x_min,
                const Vector& x_max) noexcept {
     P_ = &P;
-    B_ = nullptr;
+    given_ = nullptr;
     return run(x_u, rows, x_min, x_max);
   }
   /// The same from a root B of P = B^T B, of full column rank: faster, and with small eigenvalues that the entries of P
   /// would lose to rounding.
   Status solve_from_root(const Root& B, const Vector& x_u, const Rows& rows, const Vector& x_min,
                          const Vector& x_max) noexcept {
-    B_ = &B;
+    given_ = &B;
     return run(x_u, rows, x_min, x_max);
   }
   /// Forgets the active set, so that the next solve starts cold, and the solution.
@@ -104,14 +107,15 @@ class ActiveSetSolver {
   // A constraint n x >= b held as an equality (less its slack): a row, or for row >= MaxRows a side of the box.
   struct Active {
     int row;
-    Scalar sign;        // +1 at the lower bound, -1 at the upper: n = sign a
-    Vector normal;      // n
-    Image image;        // g = B n
-    Scalar curvature;   // g g = n P n
-    Scalar bound;       // b
-    Scalar rise;        // d = b - n x_u, what x has to gain along n
-    Scalar compliance;  // c
-    Scalar multiplier;  // lambda
+    Scalar sign;          // +1 at the lower bound, -1 at the upper: n = sign a
+    Vector normal;        // n
+    Scalar squared_norm;  // |n|^2
+    Image image;          // g = B n
+    Scalar curvature;     // g g = n P n
+    Scalar bound;         // b
+    Scalar rise;          // d = b - n x_u, what x has to gain along n
+    Scalar compliance;    // c
+    Scalar multiplier;    // lambda
   };
 
   Status run(const Vector& x_u, const Rows& rows, const Vector& x_min, const Vector& x_max) noexcept;
@@ -129,29 +133,35 @@ class ActiveSetSolver {
   Scalar noise(const Active& a, const Column& r) const noexcept;
   bool most_violated(int& row, Scalar& sign) const noexcept;
   bool active_hold(Scalar tolerance) const noexcept;
+  void stretch_less() noexcept;
   void relax() noexcept;
+  void remake() noexcept;
   void publish() noexcept;
 
   // The problem being solved; valid inside solve() only.
   const Matrix* P_ = nullptr;
-  const Root* B_ = nullptr;  // null until a row needs it
+  const Root* given_ = nullptr;  // null if P is
+  const Root* B_ = nullptr;      // null until a row needs it
   const Vector* x_u_ = nullptr;
   const Rows* rows_ = nullptr;
   const Vector* x_min_ = nullptr;
   const Vector* x_max_ = nullptr;
 
-  Root root_;  // of P, where none was given
+  Root root_;  // of P, where none was given; or of P with more below
   std::array<Active, index(kMaxActive)> active_;
   Factor factor_;
   std::array<bool, index(kMaxActive)> held_;  // by row: is it in active_?
   Column multiplier_{}, slack_{};             // by row
   Vector x_ = Vector::Zero();
+  Scalar origin_ = 0, reach_ = 0;  // |x_u|, |x_u| + |x|
   int count_ = 0;
   int iterations_ = 0;
   bool relaxed_ = false;
+  bool stretched_less_ = false;
   bool exact_ = true;  // whether the active rows held to kRounding when x_ was computed
 };
 
 }  // namespace rme
 
+#include <rme/control/detail/active_set_metric_impl.hpp>
 #include <rme/control/detail/active_set_solver_impl.hpp>

@@ -11,7 +11,9 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   rows_ = &rows;
   x_min_ = &x_min;
   x_max_ = &x_max;
-  relaxed_ = false;
+  origin_ = x_u.norm();
+  relaxed_ = stretched_less_ = false;
+  B_ = given_;
   iterations_ = 0;
   held_.fill(false);
   factor_.clear();
@@ -45,6 +47,8 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
       Column w;
       solve_multipliers(w);
       move(w);
+    } else if (!relaxed_ && !stretched_less_) {
+      stretch_less();
     } else if (!relaxed_) {
       relax();
     } else {
@@ -54,41 +58,6 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   }
   publish();
   return status == Status::Ok && relaxed_ ? Status::Infeasible : status;
-}
-
-/// The constraint (row, sign) of the present problem, not yet pushed.
-template <typename Scalar, int Size, int MaxRows>
-void ActiveSetSolver<Scalar, Size, MaxRows>::make(int row, Scalar sign, Active& a) noexcept {
-  if (B_ == nullptr) {
-    detail::metric_root(*P_, root_);
-    B_ = &root_;
-  }
-  a.row = row;
-  a.sign = sign;
-  a.multiplier = 0;
-  if (row >= MaxRows) {
-    const int j = row - MaxRows;
-    a.normal = sign * Vector::Unit(j);
-    a.image = sign * B_->col(j);
-    a.bound = sign * (sign > 0 ? (*x_min_)[j] : (*x_max_)[j]);
-    a.rise = a.bound - sign * (*x_u_)[j];
-  } else {
-    const auto& r = (*rows_)[row];
-    a.normal = sign * r.a;
-    a.image = a.normal[0] * B_->col(0);
-    for (int i = 1; i < Size; ++i) a.image += a.normal[i] * B_->col(i);
-    a.bound = sign * (sign > 0 ? r.lower : r.upper);
-    a.rise = a.bound - a.normal.dot(*x_u_);
-  }
-  a.curvature = a.image.squaredNorm();
-  a.compliance = compliance(a);
-}
-
-template <typename Scalar, int Size, int MaxRows>
-Scalar ActiveSetSolver<Scalar, Size, MaxRows>::compliance(const Active& a) const noexcept {
-  if (a.row >= MaxRows) return 0;
-  const Scalar soft = Scalar(1) / (2 * (*rows_)[a.row].weight);
-  return soft > 0 || !relaxed_ ? soft : std::sqrt(kEpsilon) * a.curvature;
 }
 
 template <typename Scalar, int Size, int MaxRows>
@@ -105,9 +74,9 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::push(int row, Scalar sign) noexcept
   Active& a = active_[index(count_)];
   make(row, sign, a);
   typename Factor::Split split;
-  factor_.split(a.image, a.compliance, count_, split);
+  factor_.split(a.image, a.curvature, a.compliance, count_, split);
   // A generous threshold: a constraint left out here comes back through enter() if the optimum needs it.
-  if (!(split.length * split.length > std::sqrt(kEpsilon) * a.curvature) || !std::isfinite(a.rise)) return;
+  if (!(split.squared > std::sqrt(kEpsilon) * a.curvature) || !std::isfinite(a.rise)) return;
   factor_.set(count_++, split);
   held_[index(row)] = true;
 }
@@ -126,20 +95,23 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::refactor(int from) noexcept {
   typename Factor::Split split;
   for (int k = from; k < count_; ++k) {
     const Active& a = active_[index(k)];
-    factor_.split(a.image, a.compliance, k, split);
+    factor_.split(a.image, a.curvature, a.compliance, k, split);
     // Columns stay independent when others leave; the floor only guards against rounding.
-    split.length = std::max(split.length, kEpsilon * std::sqrt(a.curvature));
+    split.squared = std::max(split.squared, kEpsilon * kEpsilon * a.curvature);
     factor_.set(k, split);
   }
 }
 
-/// R^T w = d, R lambda = w
+/// R^T D w = d, R lambda = w
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::solve_multipliers(Column& w) noexcept {
   Column y;
   for (int k = 0; k < count_; ++k) {
     w[index(k)] = active_[index(k)].rise;
     factor_.forward(w, k);
+  }
+  for (int k = 0; k < count_; ++k) {
+    factor_.scale(w, k);
     y[index(k)] = w[index(k)];
   }
   factor_.backward(y, count_);
@@ -168,6 +140,7 @@ template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   x_ = *x_u_;
   if (count_ > 0) x_.noalias() += B_->transpose().lazyProduct(factor_.combine(w, count_));
+  reach_ = origin_ + x_.norm();
   exact_ = active_hold(kRounding);
   if (!exact_) refine();
 }
@@ -181,11 +154,15 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
     const Active& a = active_[index(k)];
     w[index(k)] = a.rise - a.normal.dot(moved) - a.compliance * a.multiplier;
     factor_.forward(w, k);
+  }
+  for (int k = 0; k < count_; ++k) {
+    factor_.scale(w, k);
     y[index(k)] = w[index(k)];
   }
   factor_.backward(y, count_);
   for (int k = 0; k < count_; ++k) active_[index(k)].multiplier += y[index(k)];
   x_.noalias() += B_->transpose().lazyProduct(factor_.combine(w, count_));
+  reach_ = origin_ + x_.norm();
 }
 
 /// Brings a violated constraint into the active set, dropping those whose multiplier would turn negative on the way.
@@ -196,7 +173,7 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(const Active& a) noexcept {
   typename Factor::Split split;
   Column r;
   for (; iterations_ < kMaxIterations; ++iterations_) {
-    factor_.split(a.image, a.compliance, count_, split);
+    factor_.split(a.image, a.curvature, a.compliance, count_, split);
     for (int k = 0; k < count_; ++k) r[index(k)] = split.within[index(k)];
     factor_.backward(r, count_);
     Scalar blocked = kInfinity;  // the step at which a multiplier reaches zero
@@ -211,9 +188,9 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(const Active& a) noexcept {
       }
       hard += other.compliance > 0 ? 0 : 1;
     }
-    const Scalar pivot = split.length * split.length;
+    const Scalar pivot = split.squared;
     const bool dependent = (hard >= Size && !(a.compliance > 0)) || !(pivot > 0) ||
-                           (split.cancelled && split.length <= 4 * kEpsilon * noise(a, r));
+                           (split.cancelled && std::sqrt(pivot) <= 4 * kEpsilon * noise(a, r));
     const Scalar full = dependent ? kInfinity : rise / pivot;
     if (full <= blocked && !dependent) {
       store(a, split);
@@ -228,26 +205,15 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(const Active& a) noexcept {
   return true;
 }
 
-/// Rounding of g - sum_k r_k g_k's orthogonal part, in machine epsilons: B n has terms as large as |B| |n|.
-template <typename Scalar, int Size, int MaxRows>
-Scalar ActiveSetSolver<Scalar, Size, MaxRows>::noise(const Active& a, const Column& r) const noexcept {
-  Vector sum = a.normal.cwiseAbs();
-  for (int k = 0; k < count_; ++k) sum += std::abs(r[index(k)]) * active_[index(k)].normal.cwiseAbs();
-  Image terms = Image::Zero();
-  for (int i = 0; i < Size; ++i) terms += sum[i] * B_->col(i).cwiseAbs();
-  return terms.norm();
-}
-
 /// Finds the violated constraint that is furthest away in x; the active ones hold.
 template <typename Scalar, int Size, int MaxRows>
 bool ActiveSetSolver<Scalar, Size, MaxRows>::most_violated(int& row, Scalar& sign) const noexcept {
-  const Scalar scale = x_u_->norm() + x_.norm();
   Scalar furthest = 0;
   const auto consider = [&](int i, Scalar value, Scalar lower, Scalar upper, Scalar squared_norm) {
     const Scalar below = lower - value, above = value - upper;
     const Scalar violation = std::max(below, above);
     if (!(violation > 0)) return;
-    const Scalar tolerance = kFeasible * (std::sqrt(squared_norm) * scale + std::abs(below > 0 ? lower : upper));
+    const Scalar tolerance = kFeasible * (std::sqrt(squared_norm) * reach_ + std::abs(below > 0 ? lower : upper));
     if (violation <= tolerance || !(violation * violation > furthest * squared_norm)) return;
     furthest = violation * violation / squared_norm;
     row = i;
@@ -270,18 +236,9 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance) const
     const Active& a = active_[index(k)];
     const Scalar miss = a.bound - a.normal.dot(x_) - a.compliance * std::max(a.multiplier, Scalar(0));
     if (miss <= tolerance * std::abs(a.bound)) continue;
-    if (!(miss <= tolerance * (a.normal.norm() * (x_u_->norm() + x_.norm()) + std::abs(a.bound)))) return false;
+    if (!(miss <= tolerance * (std::sqrt(a.squared_norm) * reach_ + std::abs(a.bound)))) return false;
   }
   return true;
-}
-
-/// Makes the hard rows soft and goes on from the active set reached.
-template <typename Scalar, int Size, int MaxRows>
-void ActiveSetSolver<Scalar, Size, MaxRows>::relax() noexcept {
-  relaxed_ = true;
-  for (int k = 0; k < count_; ++k) active_[index(k)].compliance = compliance(active_[index(k)]);
-  refactor(0);
-  restore();
 }
 
 template <typename Scalar, int Size, int MaxRows>

@@ -1,0 +1,272 @@
+// 02_passivity: does the arm stay passive while the tracker runs, its estimates change, and objects come and go?
+//
+// A simulated Panda circles in the y-z plane under the constrained passive controller. Objects of 0.3 to 2.5 kg are
+// attached and dropped in mid-motion, unannounced, and somebody pushes. What carries the payload comes from
+//
+//   nobody     no compensation
+//   tracker    rme::Estimator, unaware of all this; with an energy tank too
+//   liar       an estimate of 3 kg whenever the hand rises and of nothing when it sinks, though it is empty: the worst
+//              that an estimator can do; with an energy tank too
+//
+// The books (energy_books.hpp): stored is kinetic energy and lambda_1 V, supplied is the power of the push, of the
+// wrench error (payload less compensation), of the cycle's turning, and of what CPIC adds for posture and constraints.
+// Passive means that stored minus supplied never rises. It is kept in float as well; with --hours over a working day.
+#include <array>
+#include <cmath>
+#include <cpic_host/energy_books.hpp>
+#include <cpic_host/host.hpp>
+#include <cstdio>
+#include <random>
+#include <rme/estimator.hpp>
+#include <synthetic_arm/panda.hpp>
+
+#include "io/program.hpp"
+
+namespace {
+
+using namespace rme::examples;
+using Vector = Host::Vector;
+
+constexpr double kEnd = 20;            // of a scenario [s]
+constexpr double kShare = 1e-3;        // of the energy turned over, by which books may be wrong
+constexpr double kLie = 3;             // [kg]
+constexpr double kLargestMass = 2.5;   // of an object [kg]
+constexpr double kHardestPush = 30;    // [N]
+constexpr double kMostOfTorque = 0.7;  // of the limits, to hold the heaviest object in the first pose
+
+constexpr const char* kUsage =
+    R"(usage: rme_02_passivity [options]
+
+Keeps the energy books of an arm that is compensated for what a tracker believes, while objects come and go.
+
+  --count N         how many scenarios of 20 s (default 100); the worst follow, with shorter periods
+  --hours H         then one run of so many hours, its books in float as well (default 0.05)
+  --seed N          of the first scenario (default 1)
+  --help            this text
+
+Exit codes: 0 stored minus supplied energy never rose by more than 0.001 of what was turned over, the books' error goes with the
+period, the tank's bound held; 1 not so; 2 unusable arguments.
+)";
+
+enum class Source { Nobody, Tracker, TrackerAndTank, Liar, LiarAndTank };
+constexpr const char* kNames[] = {"nobody", "tracker", "tracker, with a tank", "liar", "liar, with a tank"};
+
+struct Outcome {
+  double turned_over = 0;   // sum of |supplied power| dt [J]
+  double dissipated = 0;    // [J]
+  double rise = 0;          // largest of stored minus supplied energy [J]
+  double share = 0;         // the same over what the scenario turned over
+  double imbalance = 0;     // largest error of the books, over what was turned over; without friction
+  double stored = 0;        // most [J]
+  double put_in = 0;        // most that the compensation put in since an empty hand [J]
+  double beyond = -1e9;     // of that over the tank's bound [J]
+  double in_float = 0;      // difference of the books in float, over what was turned over
+  std::uint64_t worst = 0;  // the scenario with the largest rise: its seed
+  long exchanges = 0;
+  long refused = 0;  // ticks with another status than Ok or Infeasible
+
+  void merge(const Outcome& o) {
+    turned_over += o.turned_over;
+    dissipated += o.dissipated;
+    if (o.rise >= rise) worst = o.worst;
+    rise = std::max(rise, o.rise);
+    share = std::max(share, o.share);
+    imbalance = std::max(imbalance, o.imbalance);
+    stored = std::max(stored, o.stored);
+    put_in = std::max(put_in, o.put_in);
+    beyond = std::max(beyond, o.beyond);
+    in_float = std::max(in_float, o.in_float);
+    exchanges += o.exchanges;
+    refused += o.refused;
+  }
+};
+
+/// A pose in which the heaviest object can be held, and a cycle through it.
+Vector draw(const ArmModel<7>& model, std::mt19937_64& random, HostConfig& host) {
+  std::uniform_real_distribution<double> uniform;
+  const RigidBody heaviest = box(kLargestMass, {0, 0, 0.1}, {0.08, 0.08, 0.1});
+  Vector start;
+  do {
+    for (int j = 0; j < 7; ++j)
+      start[j] = model.q_min[j] + (0.2 + 0.6 * uniform(random)) * (model.q_max[j] - model.q_min[j]);
+  } while (model.dynamics(start, Vector::Zero(), heaviest).gravity.cwiseAbs().cwiseQuotient(model.tau_max).maxCoeff() >
+           kMostOfTorque);
+  host = HostConfig::hold(model, start);
+  host.cycle_radius = 0.06 + 0.09 * uniform(random);
+  host.target.y() += *host.cycle_radius;
+  host.margin = 0;
+  host.sampled = true;
+  return start;
+}
+
+/// @param end     of the scenario [s]
+/// @param faults  an arm with friction and faulty sensors
+Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, Source source, double period, double end, bool faults) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform;
+  std::normal_distribution<double> normal;
+  HostConfig config;
+  const Vector start = draw(model, random, config);
+  config.period = period;
+  if (source == Source::TrackerAndTank || source == Source::LiarAndTank) config.tank.emplace();
+  SyntheticArmConfig<7> arm_config = faults ? with_typical_faults(model, seed) : SyntheticArmConfig<7>{};
+  arm_config.dt = period;
+  SyntheticArm<7> arm(model, arm_config, start);
+  Host host(model, config);
+  rme::Estimator<double, 7> estimator(period);
+  EnergyBooks books(period);
+  rme::PassivityMonitor<float> small_books(static_cast<float>(period));
+
+  const bool lies = source == Source::Liar || source == Source::LiarAndTank;
+  Outcome out;
+  out.worst = seed;
+  Push push;
+  int handle = -1;
+  double next_exchange = 1, next_push = 2, lowest = 0, put_in = 0, potential = 0, tick_power = 0;
+  const long ticks = std::lround(end / period);
+  for (long k = 0; k < ticks; ++k) {
+    const double t = static_cast<double>(k) * period;
+    if (t >= next_exchange && !lies) {
+      const RigidBody before = arm.payload();
+      if (handle < 0) {
+        const Eigen::Vector3d com(0.1 * uniform(random) - 0.05, 0.1 * uniform(random) - 0.05, 0.12 * uniform(random));
+        handle = arm.attach(box(0.3 + (kLargestMass - 0.3) * uniform(random), com, {0.08, 0.08, 0.1}));
+      } else {
+        arm.detach(handle);
+        handle = -1;
+      }
+      books.exchange(arm, before);
+      ++out.exchanges;
+      next_exchange = t + 1 + 3 * uniform(random);
+    }
+    if (t >= next_push) {
+      const Eigen::Vector3d way(normal(random), normal(random), normal(random));
+      push = {t, 0.1 + 0.2 * uniform(random), uniform(random), kHardestPush * uniform(random) * way.normalized()};
+      next_push = t + 2 + 4 * uniform(random);
+    }
+    arm.push({push.at(t), Eigen::Vector3d::Zero()});
+
+    const Kinematics<7>& at = arm.kinematics();
+    Vector compensation = Vector::Zero();
+    rme::PayloadGaussian<double> belief = {Eigen::Vector4d::Zero(), Eigen::Matrix4d::Zero()};
+    if (lies) {
+      belief.mean[0] = at.jacobian.row(2).dot(arm.dq()) > 0 ? kLie : 0.0;
+      compensation = rme::compensation_torque<double, 7>(belief.payload(), at.jacobian, at.rotation);
+      host.believe(belief, {});
+    } else if (source != Source::Nobody) {
+      if (estimator.update({arm.tau_ext(), at.jacobian, at.rotation, arm.dq()}) != rme::Status::Ok) ++out.refused;
+      belief = estimator.state().payload;
+      compensation = estimator.compensation(at.jacobian, at.rotation);
+      host.believe(belief, estimator.state().probability);
+    }
+    const Vector torque = host.update(arm, compensation);
+    if (host.status() != rme::Status::Ok && host.status() != rme::Status::Infeasible) ++out.refused;
+
+    books.update(arm, host, push.at(t));
+    (void)small_books.update(static_cast<float>(books.stored()), static_cast<float>(books.power()));
+    lowest = std::min(lowest, books.residual());
+    out.rise = std::max(out.rise, books.residual() - lowest);
+    out.stored = std::max(out.stored, books.stored());
+    out.turned_over += std::abs(books.power()) * period;
+    out.in_float = std::max(out.in_float, std::abs(static_cast<double>(small_books.residual()) - books.residual()));
+    if (!faults) out.imbalance = std::max(out.imbalance, std::abs(books.imbalance()));
+
+    // What the tank promises is of the torque as it is commanded.
+    const double power = arm.dq().dot(host.compensation());
+    put_in += power * period;
+    tick_power = std::max(tick_power, std::abs(power) * period);
+    potential = std::max(potential, std::abs(rme::compensation_potential<double>(
+                                        belief.payload(), at.position - config.target, at.rotation)));
+    out.put_in = std::max(out.put_in, put_in);
+    if (config.tank) out.beyond = std::max(out.beyond, put_in - (config.tank->initial + potential + tick_power));
+    arm.step(torque);
+  }
+  out.dissipated = -books.residual();
+  out.share = out.rise / out.turned_over;
+  out.imbalance /= out.turned_over;
+  out.in_float /= out.turned_over;
+  return out;
+}
+
+/// Every other scenario.
+bool faulty(std::uint64_t seed) {
+  return seed % 2 == 0;
+}
+
+/// The scenarios with the largest rises at shorter periods: a torque that is held for a tick and an integral by
+/// trapezoids have errors that go with the period.
+/// @return whether the error of the books went with it: what they forget would stay
+bool print_by_period(const ArmModel<7>& model, const std::array<Outcome, 5>& outcomes, std::uint64_t seed, int count) {
+  const std::uint64_t worst[] = {outcomes[static_cast<std::size_t>(Source::Tracker)].worst,
+                                 outcomes[static_cast<std::size_t>(Source::Liar)].worst};
+  std::printf(
+      "\n| period | largest rise, tracker, seed %llu | liar, seed %llu | tracker, error of the books, share |\n",
+      static_cast<unsigned long long>(worst[0]), static_cast<unsigned long long>(worst[1]));
+  std::printf("|-------:|---------------------:|------------------:|----------------------------------:|\n");
+  double first = 0, last = 0;
+  for (const double period : {1e-3, 5e-4, 2.5e-4}) {
+    const Outcome tracker = simulate(model, worst[0], Source::Tracker, period, kEnd, faulty(worst[0]));
+    const Outcome liar = simulate(model, worst[1], Source::Liar, period, kEnd, faulty(worst[1]));
+    Outcome few;
+    for (int i = 0; i < std::max(count / 10, 1); ++i)
+      few.merge(simulate(model, seed + static_cast<std::uint64_t>(i), Source::Tracker, period, kEnd, false));
+    std::printf("| %.2f ms | %18.2g J | %15.2g J | %33.1e |\n", 1e3 * period, tracker.rise, liar.rise, few.imbalance);
+    (period == 1e-3 ? first : last) = few.imbalance;
+  }
+  return last <= 0.5 * first;
+}
+
+int run(Arguments& arguments) {
+  const int count = static_cast<int>(arguments.whole("--count", 1, 1000000).value_or(100));
+  const double hours = arguments.number("--hours").value_or(0.05);
+  const std::uint64_t seed = arguments.whole("--seed", 0).value_or(1);
+  arguments.finish();
+  if (!(hours > 0 && hours <= 1000)) throw ArgumentError("--hours: expected above 0 to 1000");
+  const ArmModel<7>& model = panda();
+  bool kept = true;
+
+  std::printf("%d scenarios of %.0f s, seeds from %llu, half of them with friction and faulty sensors\n\n", count, kEnd,
+              static_cast<unsigned long long>(seed));
+  std::printf(
+      "| compensation         | exchanges | turned over | dissipated | largest rise | share of turned over "
+      "| most stored | compensation put in, most | over the tank's bound |\n");
+  std::printf(
+      "|----------------------|----------:|------------:|-----------:|-------------:|---------------------:"
+      "|------------:|--------------------------:|----------------------:|\n");
+  std::array<Outcome, 5> outcomes;
+  for (const Source source :
+       {Source::Nobody, Source::Tracker, Source::TrackerAndTank, Source::Liar, Source::LiarAndTank}) {
+    Outcome& all = outcomes[static_cast<std::size_t>(source)];
+    for (int i = 0; i < count; ++i) {
+      const std::uint64_t scenario = seed + static_cast<std::uint64_t>(i);
+      all.merge(simulate(model, scenario, source, 1e-3, kEnd, faulty(scenario)));
+    }
+    const bool tank = source == Source::TrackerAndTank || source == Source::LiarAndTank;
+    std::printf("| %-20s | %9ld | %9.0f J | %8.0f J | %10.2g J | %20.1e | %9.2f J | %23.1f J | ",
+                kNames[static_cast<int>(source)], all.exchanges, all.turned_over, all.dissipated, all.rise, all.share,
+                all.stored, all.put_in);
+    if (tank) {
+      std::printf("%19.1f J |\n", std::max(all.beyond, 0.0));
+    } else {
+      std::printf("%21s |\n", "");
+    }
+    kept = kept && all.share <= kShare && all.refused == 0 && !(tank && all.beyond > 0);
+  }
+
+  kept = print_by_period(model, outcomes, seed, count) && kept;
+
+  const Outcome day = simulate(model, seed, Source::Tracker, 1e-3, 3600 * hours, false);
+  std::printf(
+      "\n%.2f hours with the tracker, %ld exchanges: %.0f J turned over, %.0f J dissipated; largest rise %.2g J,\n",
+      hours, day.exchanges, day.turned_over, day.dissipated, day.rise);
+  std::printf("%.1e of what was turned over; largest error of the books %.1e of it, books in float off by %.1e\n",
+              day.share, day.imbalance, day.in_float);
+  kept = kept && day.share <= kShare && day.in_float <= kShare && day.refused == 0;
+  return kept ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("rme_02_passivity", kUsage, argc, argv, run);
+}

@@ -1,0 +1,83 @@
+#pragma once
+/// Bodies of ActiveSetSolver that see the metric: what a constraint is in it, and its change. Include
+/// active_set_solver.hpp.
+#include <rme/control/active_set_solver.hpp>
+
+namespace rme {
+
+/// The constraint (row, sign) of the present problem, not yet pushed.
+template <typename Scalar, int Size, int MaxRows>
+void ActiveSetSolver<Scalar, Size, MaxRows>::make(int row, Scalar sign, Active& a) noexcept {
+  if (B_ == nullptr) {
+    detail::metric_root(*P_, root_);
+    B_ = &root_;
+  }
+  a.row = row;
+  a.sign = sign;
+  a.multiplier = 0;
+  if (row >= MaxRows) {
+    const int j = row - MaxRows;
+    a.normal = sign * Vector::Unit(j);
+    a.squared_norm = 1;
+    a.image = sign * B_->col(j);
+    a.bound = sign * (sign > 0 ? (*x_min_)[j] : (*x_max_)[j]);
+    a.rise = a.bound - sign * (*x_u_)[j];
+  } else {
+    const auto& r = (*rows_)[row];
+    a.normal = sign * r.a;
+    a.squared_norm = r.squared_norm;
+    Image image = a.normal[0] * B_->col(0);  // in registers, where a.image could be a part of B for all that is known
+    RME_UNROLL
+    for (int i = 1; i < Size; ++i) image += a.normal[i] * B_->col(i);
+    a.image = image;
+    a.bound = sign * (sign > 0 ? r.lower : r.upper);
+    a.rise = a.bound - a.normal.dot(*x_u_);
+  }
+  a.curvature = a.image.squaredNorm();
+  a.compliance = compliance(a);
+}
+
+template <typename Scalar, int Size, int MaxRows>
+Scalar ActiveSetSolver<Scalar, Size, MaxRows>::compliance(const Active& a) const noexcept {
+  if (a.row >= MaxRows) return 0;
+  const Scalar soft = Scalar(1) / (2 * (*rows_)[a.row].weight);
+  return soft > 0 || !relaxed_ ? soft : std::sqrt(kEpsilon) * a.curvature;
+}
+
+/// Rows that seem to contradict each other may only do so in a metric that is stretched too far for its rounding: goes
+/// on in that of P + epsilon tr(P) I, with a root of condition 1 / sqrt(epsilon) at most.
+template <typename Scalar, int Size, int MaxRows>
+void ActiveSetSolver<Scalar, Size, MaxRows>::stretch_less() noexcept {
+  stretched_less_ = true;
+  root_ = detail::stretched_less(*B_, std::sqrt(kEpsilon) * B_->norm());
+  B_ = &root_;
+  remake();
+}
+
+/// Makes the hard rows soft and goes on from the active set reached, in the metric that was given.
+template <typename Scalar, int Size, int MaxRows>
+void ActiveSetSolver<Scalar, Size, MaxRows>::relax() noexcept {
+  relaxed_ = true;
+  B_ = given_;
+  remake();
+}
+
+/// The active constraints under another metric or compliance.
+template <typename Scalar, int Size, int MaxRows>
+void ActiveSetSolver<Scalar, Size, MaxRows>::remake() noexcept {
+  for (int k = 0; k < count_; ++k) make(active_[index(k)].row, active_[index(k)].sign, active_[index(k)]);
+  refactor(0);
+  restore();
+}
+
+/// Rounding of g - sum_k r_k g_k's orthogonal part, in machine epsilons: B n has terms as large as |B| |n|.
+template <typename Scalar, int Size, int MaxRows>
+Scalar ActiveSetSolver<Scalar, Size, MaxRows>::noise(const Active& a, const Column& r) const noexcept {
+  Vector sum = a.normal.cwiseAbs();
+  for (int k = 0; k < count_; ++k) sum += std::abs(r[index(k)]) * active_[index(k)].normal.cwiseAbs();
+  Image terms = Image::Zero();
+  for (int i = 0; i < Size; ++i) terms += sum[i] * B_->col(i).cwiseAbs();
+  return terms.norm();
+}
+
+}  // namespace rme
