@@ -401,6 +401,7 @@ TEST_CASE("embedding.md: ros2_control's snippet refuses what it cannot work with
   for (const Case& c :
        {Case{"end_effector", std::string("flange"), "no frame flange"}, Case{"joints", six, "expected 7 names"},
         Case{"joints", wrong, "no joint elbow"}, Case{"gains", std::vector<double>(6, 1), "expected 7 numbers"},
+        Case{"rotor_inertia", std::vector<double>(8, 1), "expected 7 numbers"},
         Case{"rated_payload", 0.0, "rated_payload"}, Case{"rated_payload", -3.0, "rated_payload"},
         Case{"settings", std::string("nowhere.json"), "nowhere.json"}}) {
     CAPTURE(c.parameter, c.said);
