@@ -47,12 +47,13 @@ class KdlTipMass {
  public:
   using Vector = JointVector<double, Dofs>;
 
-  /// @param period  of the samples [s]
-  /// @param gain    of KDL's observer [1/s]
-  KdlTipMass(const ArmModel<Dofs>& model, const Vector& rotors, double period, double gain)
+  /// @param period    of the samples [s]
+  /// @param gain      of KDL's observer [1/s]
+  /// @param singular  singular values of J^T below it are left out when it is inverted; KDL's default is 1e-5
+  KdlTipMass(const ArmModel<Dofs>& model, const Vector& rotors, double period, double gain, double singular)
       : model_(model),
         chain_(kdl_chain(model, rotors)),
-        estimator_(chain_, kdl_vector(model.gravity_vector), 1 / period, gain, 0) {}
+        estimator_(chain_, kdl_vector(model.gravity_vector), 1 / period, gain, 0, singular) {}
   KdlTipMass(const KdlTipMass&) = delete;  // the estimator refers to the chain
   KdlTipMass& operator=(const KdlTipMass&) = delete;
 

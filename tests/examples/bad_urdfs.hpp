@@ -55,7 +55,7 @@ inline std::vector<BadUrdf> bad_urdfs() {
       {"<robot xmlns:xacro='x'><xacro:arm/></robot>", "l0", "l4", "is a xacro file"},
       {with("ixx='0.01'", "ixx='-0.1'"), "l0", "l4", "link l1 has an inertia that no body has"},
       {with("mass value='1'", "mass value='-1'"), "l0", "l4", "link l1 has a mass of -1"},
-      {with("mass value='1'", "mass value='heavy'"), "l0", "l4", "is no URDF that can be used"},
+      {with("mass value='1'", "mass value='heavy'"), "l0", "l4", "link l1, which joint j1 moves, has no inertia"},
       {with("axis xyz='0 1 0'", "axis xyz='0 0 0'"), "l0", "l4", "joint j1 has no axis"},
   };
 }

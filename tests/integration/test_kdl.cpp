@@ -82,7 +82,7 @@ TEST_CASE("KDL: its estimator of the wrench at the tip, as docs/real_arms.md use
   KdlArm plant(kHand.file, kHand.tip);
   plant.attach(rme::examples::box(1.2, {0.04, -0.03, 0.09}, {0.1, 0.08, 0.12}));
   const Vector rotors = Vector::Constant(0.4), zero = Vector::Zero(), ddq = Vector::Constant(2);
-  rme::examples::KdlTipMass<7> tip(model, rotors, 1e-3, 50);
+  rme::examples::KdlTipMass<7> tip(model, rotors, 1e-3, 50, 1e-5);
   double mass = 0;
   for (int k = 0; k < 400; ++k) {  // from rest, faster and faster for a while, then at rest elsewhere
     const double t = 1e-3 * std::min(k, 100);
