@@ -154,12 +154,15 @@ Found live(const Arm& arm, double rated, double mass, bool moving, const Faults&
       const Eigen::MatrixXd inverse = plant.mass_matrix(q).inverse();
       dq += dt * inverse * (tau - plant.inverse_dynamics(q, dq, Vector::Zero()));
       Vector impulse = Vector::Zero();
-      for (int i = 0; i < 30; ++i) {
+      double change = 1;  // of an impulse in the last round: the wrist's joints need some hundred
+      for (int round = 0; round < 2000 && change > 1e-12; ++round) {
+        change = 0;
         for (int j = 0; j < Dofs; ++j) {
           const double wanted = impulse[j] - dq[j] / inverse(j, j), most = coulomb[j] * dt;
-          const double change = std::min(most, std::max(-most, wanted)) - impulse[j];
-          impulse[j] += change;
-          dq += inverse.col(j) * change;
+          const double step = std::min(most, std::max(-most, wanted)) - impulse[j];
+          impulse[j] += step;
+          dq += inverse.col(j) * step;
+          change = std::max(change, std::abs(step));
         }
       }
       q += 0.5 * dt * (before + dq);
@@ -269,9 +272,12 @@ TEST_CASE("KDL: under friction that nobody told, payloads in motion are found wi
   judge<6>(kSmall, 5, kSmallMasses, true, kFriction, kRough);
   judge<6>(kLarge, 10, kLargeMasses, true, kFriction, kRough);
   judge<7>(kHand, 3, kHandMasses, true, kFriction, kRough);
+  judge<7>(kHand, 3, kHandMasses, true, kBoth, kRough);  // and noise
 }
 
-// Hidden: a target that is not reached yet. RME_PRINT=1 integration_test_kdl "[all_faults]" says how far it is.
+// Hidden: a target that is not reached yet, nor always can be. At rest friction may hold any torque up to its size:
+// with 0.5 and 0.2 N m that alone leaves the mass a standard deviation of 31 (10 kg's arm) to 60 g (the hand's) in this
+// pose. RME_PRINT=1 integration_test_kdl "[all_faults]" says how far it is.
 TEST_CASE("KDL: under noise and friction that nobody told they are found within 2 % or 30 g", "[.][all_faults]") {
   for (const Faults& faults : {kNoise, kFriction, kBoth}) {
     for (const bool moving : {false, true}) {
