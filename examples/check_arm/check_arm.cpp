@@ -103,7 +103,7 @@ void print(const std::vector<JointFindings>& joints) {
   print(
       "stiction at rest [N m]", joints, "%.3f", [](const JointFindings& j) { return j.stiction; }, rests);
   print(
-      "left in motion [N m]", joints, "%.3f", [](const JointFindings& j) { return j.residual; }, always);
+      "what is left [N m]", joints, "%.3f", [](const JointFindings& j) { return j.residual; }, always);
   print(
       "  correlated over [s]", joints, "%.2f", [](const JointFindings& j) { return j.correlation_time; }, always);
   print(
@@ -196,8 +196,10 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
 }
 
 /// What the estimator believes of the logs, which it should take for an empty hand's.
+/// @return the largest mass that it is sure of [kg]
 template <int Dofs>
-void print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& settings) {
+double print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& settings) {
+  double heaviest = 0;
   std::printf("\nwith these settings, of these logs          mean mass [kg]  largest sure of [kg]  empty  health\n");
   for (std::size_t k = 0; k < checked.logs.size(); ++k) {
     ReplayOptions<Dofs> options;
@@ -220,7 +222,9 @@ void print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& settin
     std::printf("  %-40.40s %15.3f %21.3f %5.0f%% %7.1f\n",
                 checked.logs[k].name.substr(checked.logs[k].name.rfind('/') + 1).c_str(), mass / time, largest,
                 100 * empty / time, health / time);
+    heaviest = std::max(heaviest, largest);
   }
+  return heaviest;
 }
 
 template <int Dofs>
@@ -350,8 +354,14 @@ int run(Arguments& arguments, const ArmRequest& request) {
     std::printf("an empty hand looks up to %.1f times as much like a payload as noise would\n", surprise);
   settings.config = settings_of<Dofs>(joints, settings);
   settings.config.validate(0.001);
-  print_beliefs<Dofs>(checked, settings);
-  if (folder) write<Dofs>(*folder, checked, joints, seen, settings.config);
+  const double false_mass = print_beliefs<Dofs>(checked, settings);
+  if (false_mass > 0) std::printf("an empty hand was taken to hold up to %.3f kg: trust nothing lighter\n", false_mass);
+  if (folder) {
+    write<Dofs>(*folder, checked, joints, seen, settings.config);
+    std::printf("the settings are in %s/settings.json\n", folder->c_str());
+  } else {
+    std::printf("--output FOLDER writes the settings\n");
+  }
   if (measured && request.chain) judge_links<Dofs>(checked, joints, settings.arm, *request.chain, folder);
   return good ? 0 : 1;
 }
