@@ -60,10 +60,11 @@ class PinocchioSensing {
       : model_(checked(arm, end_effector)),
         data_(model_),
         end_effector_(model_.getFrameId(end_effector)),
+        period_(period),
         sign_(static_cast<double>(config.torque_sign)),
         gains_(gains),
         rotors_(rotors),
-        observer_(period, {Vector::Constant(config.observer_bandwidth)}) {
+        observer_(kFilterPeriod, {Vector::Constant(config.observer_bandwidth)}) {
     model_.gravity.linear(config.gravity);
   }
 
@@ -80,7 +81,8 @@ class PinocchioSensing {
     mass_matrix_.diagonal() += rotors_;
     coriolis_transpose_.noalias() = data_.C.transpose() * dq;
     const Vector torque = sign_ * gains_.cwiseProduct(tau);
-    const rme::Status status = observer_.update(torque, dq, mass_matrix_, coriolis_transpose_, data_.g, period);
+    const rme::Status status =
+        observer_.update(torque, dq, mass_matrix_, coriolis_transpose_, data_.g, period > 0 ? period : period_);
     if (status != rme::Status::Ok) return status;
     sample.tau_ext = sign_ * observer_.tau_ext();  // the estimator takes the same sign off again
     sample.jacobian.setZero();
@@ -122,10 +124,13 @@ class PinocchioSensing {
     return arm;
   }
 
+  // The estimator expects a filter that advances each millisecond, however often the host looks [s].
+  static constexpr double kFilterPeriod = 0.001;
+
   pinocchio::Model model_;
   pinocchio::Data data_;
   pinocchio::FrameIndex end_effector_;
-  double sign_;
+  double period_, sign_;
   Vector gains_, rotors_;
   rme::MomentumObserver<double, Dofs> observer_;
   rme::JointMatrix<double, Dofs> mass_matrix_;
