@@ -420,7 +420,7 @@ TEST_CASE("embedding.md: ros2_control's snippet refuses what it cannot work with
             controller_interface::return_type::OK);
     CHECK(controller.on_configure({}) == controller_interface::CallbackReturn::ERROR);
     CHECK_THAT(*controller.get_node()->get_logger().last, contains(rate == 0    ? "update_rate"
-                                                                   : rate == 40 ? "gain"
+                                                                   : rate == 40 ? "Estimator::dt"
                                                                                 : "URDF"));
   }
 }
