@@ -29,6 +29,7 @@ using namespace rme::examples;
 constexpr const char* kUsage = "usage: check_arm LOG.csv[.gz]... [options]\n";
 constexpr const char* kOwnUsage =
     "  --span T0:T1        only what the logs hold of [T0, T1) [s]\n"
+    "  --mass M            of a payload of this mass: how sure its centre will be [kg] (1)\n"
     "  --output FOLDER     settings.json, and what plot.py draws\n";
 
 constexpr double kWindows[] = {0.2, 1, 5};  // [s]
@@ -97,14 +98,26 @@ void print(const std::vector<JointFindings>& joints) {
   print(
       "viscous [N m s/rad]", joints, "%.3f", [](const JointFindings& j) { return j.viscous; }, friction);
   print(
+      "  more for each N m of load", joints, "%.3f", [](const JointFindings& j) { return j.coulomb_per_load; },
+      friction);
+  print(
       "stiction at rest [N m]", joints, "%.3f", [](const JointFindings& j) { return j.stiction; }, rests);
   print(
-      "left in motion [N m]", joints, "%.3f", [](const JointFindings& j) { return j.residual; }, always);
+      "what is left [N m]", joints, "%.3f", [](const JointFindings& j) { return j.residual; }, always);
   print(
       "  correlated over [s]", joints, "%.2f", [](const JointFindings& j) { return j.correlation_time; }, always);
   print(
       "follows gravity by", joints, "%.2f", [](const JointFindings& j) { return j.gravity_slope; }, gravity);
-  std::printf("? the logs do not tell: the joint has to move both ways, or to rest, for a second each\n\n");
+  std::printf("? the logs do not tell: the joint has to move both ways, or to rest, for a second each\n");
+  std::string growing;
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    if (joints[j].coulomb_per_load > 0) growing += (growing.empty() ? "" : ", ") + std::to_string(j + 1);
+  if (!growing.empty())
+    std::printf(
+        "friction grows with what joint %s carries, as far as the model's gravity says: a payload brings more of it, "
+        "which the estimator does not know of\n",
+        growing.c_str());
+  std::printf("\n");
 }
 
 /// Whether sign, units and frames can be right: an empty hand's external torque holds no gravity.
@@ -183,8 +196,10 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
 }
 
 /// What the estimator believes of the logs, which it should take for an empty hand's.
+/// @return the largest mass that it is sure of [kg]
 template <int Dofs>
-void print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& settings) {
+double print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& settings) {
+  double heaviest = 0;
   std::printf("\nwith these settings, of these logs          mean mass [kg]  largest sure of [kg]  empty  health\n");
   for (std::size_t k = 0; k < checked.logs.size(); ++k) {
     ReplayOptions<Dofs> options;
@@ -207,7 +222,9 @@ void print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& settin
     std::printf("  %-40.40s %15.3f %21.3f %5.0f%% %7.1f\n",
                 checked.logs[k].name.substr(checked.logs[k].name.rfind('/') + 1).c_str(), mass / time, largest,
                 100 * empty / time, health / time);
+    heaviest = std::max(heaviest, largest);
   }
+  return heaviest;
 }
 
 template <int Dofs>
@@ -287,6 +304,8 @@ int run(Arguments& arguments, const ArmRequest& request) {
   ArmSettings<Dofs> settings = parse_settings<Dofs>(arguments, request);
   const auto span = arguments.numbers("--span", 2, ':');
   if (span && !((*span)[0] < (*span)[1])) throw ArgumentError("--span: T0 must be below T1");
+  const double mass = arguments.number("--mass").value_or(1);
+  if (!(mass > 0)) throw ArgumentError("--mass: must be above 0 kg");
   const auto folder = arguments.text("--output");
   std::vector<std::string> files;
   do files.push_back(arguments.positional("LOG.csv"));
@@ -317,13 +336,14 @@ int run(Arguments& arguments, const ArmRequest& request) {
   for (const double window : kWindows)
     seen.push_back(visibility(checked.blocks, joints, window, settings.config.rated_payload));
   std::printf(
-      "\nwithin [s]   lightest payload that shows [kg]   mass +- [kg]  (expected)   centre of mass of 1 kg +- [mm]\n");
+      "\nwithin [s]   lightest payload that shows [kg]   mass +- [kg]  (expected)   centre of mass of %g kg +- [mm]\n",
+      mass);
   for (const Visibility& v : seen) {
     if (v.windows == 0)
       std::printf("%10.1f   the logs are shorter\n", v.window);
     else
       std::printf("%10.1f   %32.3f   %12.3f  %10.3f   %30.0f\n", v.window, v.lightest(), v.mass, v.expected_mass,
-                  1e3 * v.moment);
+                  1e3 * v.moment / mass);
   }
   // Joints are independent to the tracker. Where what is left moves them all together, as the error of a link's mass
   // does, it looks more like a payload than noise does.
@@ -334,8 +354,14 @@ int run(Arguments& arguments, const ArmRequest& request) {
     std::printf("an empty hand looks up to %.1f times as much like a payload as noise would\n", surprise);
   settings.config = settings_of<Dofs>(joints, settings);
   settings.config.validate(0.001);
-  print_beliefs<Dofs>(checked, settings);
-  if (folder) write<Dofs>(*folder, checked, joints, seen, settings.config);
+  const double false_mass = print_beliefs<Dofs>(checked, settings);
+  if (false_mass > 0) std::printf("an empty hand was taken to hold up to %.3f kg: trust nothing lighter\n", false_mass);
+  if (folder) {
+    write<Dofs>(*folder, checked, joints, seen, settings.config);
+    std::printf("the settings are in %s/settings.json\n", folder->c_str());
+  } else {
+    std::printf("--output FOLDER writes the settings\n");
+  }
   if (measured && request.chain) judge_links<Dofs>(checked, joints, settings.arm, *request.chain, folder);
   return good ? 0 : 1;
 }

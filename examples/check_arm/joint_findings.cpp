@@ -65,6 +65,67 @@ void fit_friction(const std::vector<LogBlocks>& logs, Eigen::Index j, JointFindi
   }
 }
 
+/// Whether friction grows with the load, judged on data that it was not fitted to.
+double fit_load_friction(const std::vector<LogBlocks>& logs, Eigen::Index j) {
+  constexpr double kSpread = 1;        // standard deviation of the load, to tell [N m]
+  constexpr double kWorthwhile = 0.9;  // of what is left, out of sample
+  const auto n = static_cast<Eigen::Index>(logs.size());
+  const auto row_of = [&](Eigen::Index k, Eigen::Index i, bool with_load) {
+    const LogBlocks& log = logs[static_cast<std::size_t>(k)];
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(n + 3);
+    row[k] = 1;
+    row[n] = -log.direction(i, j);
+    row[n + 1] = -log.velocity(i, j);
+    if (with_load) row[n + 2] = -log.direction(i, j) * std::abs(log.gravity(i, j));
+    return row;
+  };
+  // Of each log one half, or both (half = 2), of the blocks in which the joint moves.
+  const auto each = [&](int half, const auto& function) {
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const LogBlocks& log = logs[static_cast<std::size_t>(k)];
+      for (Eigen::Index i = 0; i < log.blocks(); ++i) {
+        const bool moves = log.resting(i, j) == 0 && std::abs(log.direction(i, j)) == 1;
+        if (moves && (half == 2 || (2 * i < log.blocks()) == (half == 0))) function(k, i, log.tau(i, j));
+      }
+    }
+  };
+  const auto fit = [&](int half, bool with_load) -> Eigen::VectorXd {
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n + 3, n + 3);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(n + 3);
+    each(half, [&](Eigen::Index k, Eigen::Index i, double tau) {
+      const Eigen::VectorXd row = row_of(k, i, with_load);
+      A += row * row.transpose();
+      b += row * tau;
+    });
+    A.diagonal().array() += 1e-9 * std::max(1.0, A.diagonal().maxCoeff());
+    return A.ldlt().solve(b);
+  };
+  double loads = 0, squares = 0, blocks = 0;
+  each(2, [&](Eigen::Index k, Eigen::Index i, double) {
+    const double load = std::abs(logs[static_cast<std::size_t>(k)].gravity(i, j));
+    loads += load;
+    squares += load * load;
+    ++blocks;
+  });
+  if (!(blocks > 1) || squares / blocks - std::pow(loads / blocks, 2) < kSpread * kSpread) return 0;
+  double left[2] = {0, 0};
+  for (const int half : {0, 1}) {
+    for (const bool with_load : {false, true}) {
+      const Eigen::VectorXd x = fit(half, with_load);
+      if (with_load && !(x[n + 2] > 0)) return 0;
+      double mean = 0, count = 0, square = 0;  // the offset may be another by then
+      each(1 - half, [&](Eigen::Index k, Eigen::Index i, double tau) {
+        const double e = tau - row_of(k, i, with_load).dot(x);
+        mean += e;
+        square += e * e;
+        ++count;
+      });
+      if (count > 0) left[with_load ? 1 : 0] += square - mean * mean / count;
+    }
+  }
+  return std::sqrt(left[1]) < kWorthwhile * std::sqrt(left[0]) ? fit(2, true)[n + 2] : 0;
+}
+
 double least_squares_slope(const Eigen::VectorXd& y, const Eigen::VectorXd& x, double& correlation) {
   const Eigen::VectorXd dx = x.array() - x.mean(), dy = y.array() - y.mean();
   const double xx = dx.squaredNorm(), yy = dy.squaredNorm(), xy = dx.dot(dy);
@@ -100,6 +161,7 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
     joint.friction_known = forward >= 1 && backward >= 1;
     joint.rests = rest >= 1;
     fit_friction(logs, j, joint);
+    if (joint.friction_known) joint.coulomb_per_load = fit_load_friction(logs, j);
   }
   for (Eigen::Index j = 0; j < dofs; ++j) {
     JointFindings& joint = out[static_cast<std::size_t>(j)];

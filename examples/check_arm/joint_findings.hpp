@@ -22,6 +22,10 @@ struct JointFindings {
   double correlation_time = 0;  ///< over which the residual keeps 1/e of itself [s]
   bool friction_known = false;  ///< the joint moves both ways for a second each
   bool rests = false;           ///< the joint rests for a second or more, so that stiction is known
+  /// By how much Coulomb friction grows with what the joint carries, where the data show it: what the model's gravity
+  /// torque leaves over of friction. 0 where they do not. No part of what unexplained() takes off: the tracker's
+  /// friction does not know of loads.
+  double coulomb_per_load = 0;
   /// By how much the torque follows the model's gravity torque, and how closely. An external torque does not: 0; where
   /// gravity was left in it is 1, -1 with the sign changed.
   double gravity_slope = 0, gravity_correlation = 0;

@@ -3,9 +3,7 @@
 // rme's side has the host's model in it as well; its own share is a row for itself.
 #include <cmath>
 #include <cstdio>
-#include <kdl/chain.hpp>
-#include <kdl/chainexternalwrenchestimator.hpp>
-#include <kdl/jntarray.hpp>
+#include <real_arms/kdl_wrench.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
 #include <synthetic_arm/panda.hpp>
@@ -16,28 +14,6 @@
 namespace {
 
 using Vector = rme::JointVector<double, 7>;
-
-KDL::Vector vector(const Eigen::Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-/// The arm of rme's table as a chain of KDL.
-KDL::Chain chain(const rme::examples::ArmModel<7>& model) {
-  KDL::Chain out;
-  for (std::size_t i = 0; i < 7; ++i) {
-    const auto& link = model.links[i];
-    const auto& R = link.rotation;
-    const KDL::Frame at(KDL::Rotation(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)),
-                        vector(link.offset));
-    const auto& I = link.body.inertia;
-    const KDL::RotationalInertia inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
-    // KDL's frames are at the tip: that of the last link is the flange.
-    const Eigen::Vector3d tip = i == 6 ? model.flange : Eigen::Vector3d::Zero();
-    out.addSegment(KDL::Segment(KDL::Joint(at.p, at.M.UnitZ(), KDL::Joint::RotAxis), at * KDL::Frame(vector(tip)),
-                                KDL::RigidBodyInertia(link.body.mass, vector(link.body.com - tip), inertia)));
-  }
-  return out;
-}
 
 KDL::JntArray array(const Vector& v) {
   KDL::JntArray out(7);
@@ -82,8 +58,9 @@ int main(int argc, char** argv) {
     (void)rme::pseudo_wrench(kinematics.jacobian, observer.tau_ext(), 1e-6, wrench);
     rme::benchmarks::keep(wrench);
   };
-  const KDL::Chain arm = chain(model);
-  KDL::ChainExternalWrenchEstimator estimator(arm, vector(model.gravity_vector), 1 / period, gain, 0);
+  const KDL::Chain arm = rme::examples::kdl_chain(model);
+  KDL::ChainExternalWrenchEstimator estimator(arm, rme::examples::kdl_vector(model.gravity_vector), 1 / period, gain,
+                                              0);
   estimator.setInitialMomentum(kdl_q[0], kdl_dq[0]);
   KDL::Wrench kdl_wrench;
   const auto theirs = [&](std::size_t i) {

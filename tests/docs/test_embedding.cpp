@@ -401,6 +401,7 @@ TEST_CASE("embedding.md: ros2_control's snippet refuses what it cannot work with
   for (const Case& c :
        {Case{"end_effector", std::string("flange"), "no frame flange"}, Case{"joints", six, "expected 7 names"},
         Case{"joints", wrong, "no joint elbow"}, Case{"gains", std::vector<double>(6, 1), "expected 7 numbers"},
+        Case{"rotor_inertia", std::vector<double>(8, 1), "expected 7 numbers"},
         Case{"rated_payload", 0.0, "rated_payload"}, Case{"rated_payload", -3.0, "rated_payload"},
         Case{"settings", std::string("nowhere.json"), "nowhere.json"}}) {
     CAPTURE(c.parameter, c.said);
@@ -419,7 +420,7 @@ TEST_CASE("embedding.md: ros2_control's snippet refuses what it cannot work with
             controller_interface::return_type::OK);
     CHECK(controller.on_configure({}) == controller_interface::CallbackReturn::ERROR);
     CHECK_THAT(*controller.get_node()->get_logger().last, contains(rate == 0    ? "update_rate"
-                                                                   : rate == 40 ? "gain"
+                                                                   : rate == 40 ? "Estimator::dt"
                                                                                 : "URDF"));
   }
 }

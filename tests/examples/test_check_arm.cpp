@@ -25,6 +25,7 @@ using Vector = rme::JointVector<double, 7>;
 /// How an arm with an empty hand shows itself.
 struct Shown {
   double coulomb = 0.4, viscous = 0.2, offset = 0.1, noise = 0.02;  // [N m], [N m s/rad]
+  double per_load = 0;                                              // Coulomb friction for each N m of gravity torque
   double factor = 1;                                                // of the torque that is written
   double seconds = 12;
   std::string columns = "tau_ext";  // or tau
@@ -42,16 +43,18 @@ std::string recording(const Shown& shown) {
   for (const std::string& name : {std::string("q"), std::string("dq"), shown.columns})
     for (int j = 1; j <= 7; ++j) text << ',' << name << j;
   for (double t = 0; t < shown.seconds; t += 0.004) {
-    Vector q = arm.ready, dq, ddq, tau;
+    Vector q = arm.ready, dq, ddq, tau, coulomb;
     for (int j = 0; j < 7; ++j) {
       const double w = 1.1 + 0.23 * j;
       q[j] += 0.4 * std::sin(w * t);
       dq[j] = 0.4 * w * std::cos(w * t);
       ddq[j] = -0.4 * w * w * std::sin(w * t);
-      tau[j] = -(shown.coulomb * (dq[j] > 0 ? 1 : -1) + shown.viscous * dq[j]) + shown.offset + normal(random);
     }
+    const auto terms = arm.dynamics(q, dq);
+    coulomb = Vector::Constant(shown.coulomb) + shown.per_load * terms.gravity.cwiseAbs();
+    for (int j = 0; j < 7; ++j)
+      tau[j] = -(coulomb[j] * (dq[j] > 0 ? 1 : -1) + shown.viscous * dq[j]) + shown.offset + normal(random);
     if (shown.columns == "tau") {  // what is measured: all that moves the arm, less what comes from outside
-      const auto terms = arm.dynamics(q, dq);
       tau = terms.mass_matrix * ddq + terms.coriolis + terms.gravity - tau + rme::examples::panda_friction(dq);
     }
     text << '\n' << t;
@@ -125,6 +128,44 @@ TEST_CASE("check_arm: what an estimator can see through more noise is heavier", 
   CHECK(noisy[0] < 0.2);
 }
 
+TEST_CASE("check_arm: friction that grows with the load is found where it does, and nowhere else", "[check_arm]") {
+  const auto growth = [](const Shown& shown) {
+    const TemporaryFile log("load.csv", recording(shown));
+    const std::string text = check("--bandwidth 0 " + log.name).text, name = "more for each N m of load";
+    CAPTURE(text);
+    CHECK((text.find("friction grows with what joint 2, 3, 4 carries") != std::string::npos) == (shown.per_load > 0));
+    std::istringstream row(text.substr(text.find(name) + name.size()));
+    std::vector<double> found(7);
+    for (double& v : found) row >> v;
+    REQUIRE(row);
+    return found;
+  };
+  Shown shown;
+  shown.seconds = 24;
+  shown.per_load = 0.05;
+  const std::vector<double> some = growth(shown);
+  for (const std::size_t j : {1u, 3u}) CHECK(some[j] == Approx(0.05).epsilon(0.1));  // they carry 10 to 35 N m
+  CHECK(some[0] == 0);                                                               // it turns about the vertical
+  shown.per_load = 0;
+  for (const double v : growth(shown)) CHECK(v == 0);
+}
+
+TEST_CASE("check_arm: how sure the centre of mass will be is said for the mass that is asked for", "[check_arm]") {
+  const TemporaryFile log("mass.csv", recording(Shown()));
+  const auto spread = [&](const std::string& option) {  // within 5 s [mm]
+    std::istringstream text(check("--bandwidth 0 " + option + log.name).text);
+    for (std::string line; std::getline(text, line);) {
+      std::istringstream words(line);
+      double window = 0, lightest = 0, mass = 0, expected = 0, centre = 0;
+      if (words >> window >> lightest >> mass >> expected >> centre && window == 5) return centre;
+    }
+    return -1.0;
+  };
+  REQUIRE(spread("--mass 0.01 ") > 1);
+  CHECK(spread("--mass 0.001 ") == Approx(10 * spread("--mass 0.01 ")).epsilon(0.5));  // whole millimetres
+  CHECK_THAT(check("--mass 0.25 --bandwidth 0 " + log.name).text, contains("centre of mass of 0.25 kg +- [mm]"));
+}
+
 TEST_CASE("check_arm: a torque that cannot be right is told by its gravity", "[check_arm]") {
   Shown shown;
   shown.columns = "tau";
@@ -152,7 +193,8 @@ TEST_CASE("check_arm: a log that says nothing of an empty hand is refused", "[ch
   const Result held = check("\"" RME_TEST_DATA "/mujoco/link_side.csv.gz\"", Stream::Errors);
   CHECK(held.exit_code == 3);
   CHECK_THAT(held.text, contains("column m: the hand holds something"));
-  for (const char* bad : {"", "--span 2:1 log.csv", "--span 1 log.csv", "--windows 3 log.csv"}) {
+  for (const char* bad :
+       {"", "--mass 0 log.csv", "--mass -1 log.csv", "--span 2:1 log.csv", "--span 1 log.csv", "--windows 3 log.csv"}) {
     CAPTURE(bad);
     const Result usage = check(bad, Stream::Errors);
     CHECK(usage.exit_code == 2);

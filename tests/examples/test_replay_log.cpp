@@ -8,6 +8,7 @@
 #include <urdf_arm/urdf_chain.hpp>
 #include <vector>
 
+#include "examples/bad_urdfs.hpp"
 #include "support/catch.hpp"
 #include "support/program.hpp"
 
@@ -351,6 +352,14 @@ TEST_CASE("replay_log: a URDF that does not fit is refused, and why", "[replay_l
     CHECK(errors.exit_code == c.exit_code);
     CHECK_THAT(errors.text, contains("replay_log: ") && contains(c.reason));
   }
+  for (const auto& bad : rme::testing::bad_urdfs()) {
+    CAPTURE(bad.text, bad.base, bad.tip);
+    const TemporaryFile file("bad.urdf", bad.text);
+    const Result errors =
+        errors_of("--urdf " + file.name + " --base " + bad.base + " --tip " + bad.tip + " " + log.name);
+    CHECK(errors.exit_code == 3);
+    CHECK_THAT(errors.text, contains("replay_log: ") && contains(file.name + ": ") && contains(bad.reason));
+  }
   const TemporaryFile slow("slow.csv", recording({0.03, 0.03}));
   CHECK_THAT(errors_of(six_joints + slow.name).text, contains("at least 50 a second are needed"));
 }
@@ -403,6 +412,10 @@ TEST_CASE("replay_log: an unreadable log ends with exit code 3, file, line and c
       {header + "0" + zeros + "nan" + zeros, "bad.csv:3: column t: \"nan\""},
       {header + "0" + zeros + "0.001,0,x,0,0,0,0,0,0,0,0,0,0,0,0\n", "bad.csv:3: column q2: \"x\""},
       {header + "0.001" + zeros + "0" + zeros, "bad.csv:3: column t: time does not increase"},
+      {header + "0" + zeros + "0.001,0,-inf,0,0,0,0,0,0,0,0,0,0,0,0\n", "bad.csv:3: column q2: \"-inf\""},
+      {header + "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n", "bad.csv:2: column 16: the row has 16 cells, the header 15"},
+      {"t,q1,q1,q3,q4,q5,q6,q7\n0,0,0,0,0,0,0,0\n", "bad.csv:1: column q1 is there twice"},
+      {"0" + zeros + "0.001" + zeros, "bad.csv:1: column t is missing"},
       {std::string("\x1f\x8b\x08\x00", 4), "bad.csv: the gzip data are"},
   };
   for (const Case& c : cases) {

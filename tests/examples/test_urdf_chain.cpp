@@ -4,6 +4,7 @@
 #include <urdf_arm/recorded_arm.hpp>
 #include <urdf_arm/urdf_chain.hpp>
 
+#include "examples/bad_urdfs.hpp"
 #include "support/catch.hpp"
 
 namespace {
@@ -18,30 +19,13 @@ std::string fixture(const std::string& name) {
 }
 
 /// What it says of itself; nothing if it is read.
-std::string refusal(const std::string& text, const std::string& base = "l0", const std::string& tip = "l4") {
+std::string refusal(const std::string& text, const std::string& base, const std::string& tip) {
   try {
     (void)parse_urdf(text, "arm.urdf", base, tip);
     return {};
   } catch (const UrdfError& error) {
     return error.what();
   }
-}
-
-/// Links l0 to l4 in a row, each a kilogram; a joint's type, and what stands in for a link's inertia, can be others.
-std::string arm(const std::string& type = "continuous", const std::string& more = "", bool with_inertia = true) {
-  std::string text = "<robot name='arm'><link name='l0'/>";
-  const std::string inertia =
-      "<inertial><mass value='1'/><inertia ixx='0.01' ixy='0' ixz='0' iyy='0.01' iyz='0' izz='0.01'/>"
-      "</inertial>";
-  for (int i = 1; i <= 4; ++i) {
-    const std::string n = std::to_string(i), before = std::to_string(i - 1);
-    const bool odd = i == 3;
-    text +=
-        "<link name='l" + n + "'>" + (odd && !with_inertia ? "" : inertia) + "</link><joint name='j" + n + "' type='" +
-        (odd ? type : "continuous") + "'><parent link='l" + before + "'/><child link='l" + n +
-        "'/><origin xyz='0 0 0.3'/><axis xyz='0 1 0'/><limit effort='50' velocity='1' lower='-1' upper='2'/></joint>";
-  }
-  return text + more + "</robot>";
 }
 
 TEST_CASE("read_urdf: the Panda's URDF is the built-in Panda", "[urdf_chain]") {
@@ -99,45 +83,11 @@ TEST_CASE("read_urdf: a fixed tip may lie behind the last joint, turned", "[urdf
 }
 
 TEST_CASE("read_urdf: a URDF that cannot be used is refused, and what is wrong with it named", "[urdf_chain]") {
-  CHECK(refusal(arm()).empty());
-  struct Case {
-    std::string text;
-    const char *base, *tip, *reason;
-  };
-  const std::string branch =
-      "<link name='x'/><joint name='jx' type='fixed'><parent link='l2'/><child link='x'/></joint>";
-  const std::string second = "<joint name='again' type='fixed'><parent link='l0'/><child link='l3'/></joint>";
-  const std::string round = "<joint name='round' type='fixed'><parent link='l4'/><child link='l0'/></joint>";
-  for (const Case& c : {
-           Case{arm(), "base", "l4", "has no link base; there are l0, l1, l2, l3, l4"},
-           Case{arm(), "l0", "tool0", "has no link tool0; there are l0, l1"},
-           Case{arm(), "l4", "l0", "link l4 is not between the root and link l0"},
-           Case{arm("continuous", branch), "l3", "x", "link l3 is not between the root and link x"},
-           Case{arm("prismatic"), "l0", "l4", "joint j3 between l0 and l4 is prismatic"},
-           Case{arm("floating"), "l0", "l4", "joint j3 between l0 and l4 is floating"},
-           Case{arm("continuous", "", false), "l0", "l4", "link l3, which joint j3 moves, has no inertia"},
-           Case{arm("continuous", second), "l0", "l4", "link l3 hangs on joints again and j3: a loop"},
-           Case{arm("continuous", round), "l0", "l4", "is no URDF that can be used: "},
-           Case{arm(), "l0", "l3",
-                "there are 3 joints that move between l0 and l3; the programs are compiled for 4 to 8"},
-           Case{arm("fixed"), "l0", "l4", "there are 3 joints that move"},
-           Case{"", "l0", "l4", "is no URDF that can be used"},
-           Case{"<robot name='x'><link", "l0", "l4", "is no URDF that can be used"},
-           Case{"{\"rated_payload\": 3}", "l0", "l4", "is no URDF that can be used"},
-           Case{"<robot xmlns:xacro='x'><xacro:arm/></robot>", "l0", "l4", "is a xacro file"},
-       }) {
-    CAPTURE(c.text, c.base, c.tip);
-    CHECK_THAT(refusal(c.text, c.base, c.tip), contains("arm.urdf: ") && contains(c.reason));
+  CHECK(refusal(rme::testing::small_arm(), "l0", "l4").empty());
+  for (const auto& bad : rme::testing::bad_urdfs()) {
+    CAPTURE(bad.text, bad.base, bad.tip);
+    CHECK_THAT(refusal(bad.text, bad.base, bad.tip), contains("arm.urdf: ") && contains(bad.reason));
   }
-  std::string negative = arm();
-  negative.replace(negative.find("ixx='0.01'"), 10, "ixx='-0.1'");
-  CHECK_THAT(refusal(negative), contains("link l1 has an inertia that no body has"));
-  std::string light = arm();
-  light.replace(light.find("mass value='1'"), 14, "mass value='-1'");
-  CHECK_THAT(refusal(light), contains("link l1 has a mass of -1"));
-  std::string no_axis = arm();
-  no_axis.replace(no_axis.find("axis xyz='0 1 0'"), 16, "axis xyz='0 0 0'");
-  CHECK_THAT(refusal(no_axis), contains("joint j1 has no axis"));
   CHECK_THROWS_WITH(read_urdf("absent.urdf", "a", "b"), contains("absent.urdf: cannot be opened"));
 }
 

@@ -4,10 +4,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <real_arms/kdl_wrench.hpp>
 #include <replay_log/estimators.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <string>
 #include <urdf_arm/urdf_chain.hpp>
+#include <vector>
 
 #include "integration/kdl_arm.hpp"
 #include "support/catch.hpp"
@@ -67,10 +69,31 @@ void compare(const Arm& arm) {
   }
 }
 
-TEST_CASE("KDL: M, g, C dq, C^T dq, p, R and J of arms from their URDF are those that KDL computes", "[kdl]") {
+TEST_CASE("KDL: M, g, C dq, C^T dq, p, R and J of arms from their URDF are those that KDL computes", "[kdl][models]") {
   compare<6>(kSmall);
   compare<6>(kLarge);
   compare<7>(kHand);
+}
+
+TEST_CASE("KDL: its estimator of the wrench at the tip, as docs/real_arms.md uses it, weighs what hangs there",
+          "[kdl][models]") {
+  using Vector = rme::JointVector<double, 7>;
+  const ArmModel<7> model = model_of<7>(kHand);  // its tool is turned against its last link
+  KdlArm plant(kHand.file, kHand.tip);
+  plant.attach(rme::examples::box(1.2, {0.04, -0.03, 0.09}, {0.1, 0.08, 0.12}));
+  const Vector rotors = Vector::Constant(0.4), zero = Vector::Zero(), ddq = Vector::Constant(2);
+  rme::examples::KdlTipMass<7> tip(model, rotors, 1e-3, 50, 1e-5);
+  double mass = 0;
+  for (int k = 0; k < 400; ++k) {  // from rest, faster and faster for a while, then at rest elsewhere
+    const double t = 1e-3 * std::min(k, 100);
+    const Vector q = Vector::Constant(0.6) + 0.5 * t * t * ddq;
+    const bool moves = k < 100;
+    const Vector dq = moves ? Vector(t * ddq) : zero, a = moves ? ddq : zero;
+    mass = tip.update(q, dq, plant.inverse_dynamics(q, dq, a) + rotors.cwiseProduct(a));
+    // On the way the payload's inertia is part of its weight.
+    if (k == 99) CHECK(std::abs(mass - 1.2) < 0.4);
+  }
+  CHECK(mass == Approx(1.2).epsilon(1e-3));
 }
 
 /// What is wrong with the arm, and what is not known of it.
@@ -80,10 +103,13 @@ struct Faults {
 };
 
 struct Found {
-  double mass_error = 0;     // at the end of the hold [kg]
-  double com_error = 0;      // across gravity [m]
-  double empty_after = 1e9;  // the detach [s]
-  bool attached = false;     // as an event
+  double mass_error = 0, mass_deviation = 0;  // at the end of the hold, and what it is said to be [kg]
+  double com_error = 0;                       // across gravity [m]
+  double health = 0, pushed = 0;              // then; the latter a probability
+  double friction_shows = 0;                  // a probability, at the end of the hold
+  double empty_after = 1e9;                   // the detach [s]
+  double mass_after = 0;                      // at the end of it all [kg]
+  bool attached = false;                      // as an event
   int pushes = 0;
 };
 
@@ -120,22 +146,23 @@ Found live(const Arm& arm, double rated, double mass, bool moving, const Faults&
     if (k == static_cast<int>(detach / dt)) plant.detach();
     // The arm's physics over a period under a constant torque.
     const Vector before = dq;
-    if (faults.coulomb == 0) {  // Runge-Kutta
-      const auto f = [&](const Vector& x, const Vector& v) -> Vector { return plant.forward_dynamics(x, v, tau); };
-      const Vector a1 = f(q, dq), v2 = dq + 0.5 * dt * a1, a2 = f(q + 0.5 * dt * dq, v2);
-      const Vector v3 = dq + 0.5 * dt * a2, a3 = f(q + 0.5 * dt * v2, v3), v4 = dq + dt * a3, a4 = f(q + dt * v3, v4);
-      q += dt / 6 * (dq + 2 * v2 + 2 * v3 + v4);
-      dq += dt / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    if (faults.coulomb == 0) {  // the midpoint's
+      const Vector half = dq + 0.5 * dt * plant.forward_dynamics(q, dq, tau);
+      dq += dt * plant.forward_dynamics(q + 0.5 * dt * dq, half, tau);
+      q += dt * half;
     } else {  // what friction can stop within the period, it stops
       const Eigen::MatrixXd inverse = plant.mass_matrix(q).inverse();
-      dq += dt * plant.forward_dynamics(q, dq, tau);
+      dq += dt * inverse * (tau - plant.inverse_dynamics(q, dq, Vector::Zero()));
       Vector impulse = Vector::Zero();
-      for (int i = 0; i < 30; ++i) {
+      double change = 1;  // of an impulse in the last round: the wrist's joints need some hundred
+      for (int round = 0; round < 2000 && change > 1e-12; ++round) {
+        change = 0;
         for (int j = 0; j < Dofs; ++j) {
           const double wanted = impulse[j] - dq[j] / inverse(j, j), most = coulomb[j] * dt;
-          const double change = std::min(most, std::max(-most, wanted)) - impulse[j];
-          impulse[j] += change;
-          dq += inverse.col(j) * change;
+          const double step = std::min(most, std::max(-most, wanted)) - impulse[j];
+          impulse[j] += step;
+          dq += inverse.col(j) * step;
+          change = std::max(change, std::abs(step));
         }
       }
       q += 0.5 * dt * (before + dq);
@@ -162,10 +189,15 @@ Found live(const Arm& arm, double rated, double mass, bool moving, const Faults&
     const auto& state = estimator.state();
     if (k == static_cast<int>(detach / dt) - 1) {
       found.mass_error = std::abs(state.payload.mean[0] - mass);
+      found.mass_deviation = state.payload.standard_deviation()[0];
+      found.health = state.health;
+      found.pushed = state.probability[rme::Hypothesis::Pushed];
+      found.friction_shows = state.friction_shows();
       const Eigen::Vector3d down = at.rotation.transpose() * Eigen::Vector3d::UnitZ();
       const Eigen::Vector3d error = state.payload.mean.template tail<3>() - com;
       found.com_error = (error - down.dot(error) * down).norm();
     }
+    found.mass_after = state.payload.mean[0];
     if (t > detach && !state.empty()) found.empty_after = 1e9;
     if (t > detach && state.empty() && found.empty_after > 1e8) found.empty_after = t - detach;
     if (state.event.number == events) continue;
@@ -176,44 +208,83 @@ Found live(const Arm& arm, double rated, double mass, bool moving, const Faults&
   return found;
 }
 
+/// What a life has to show.
+struct Target {
+  double share, least;  // of the mass, and in kg, whichever is more: the mass's error
+  bool across;          // the centre of mass across gravity, within 2 mm, and no event taken for a push
+};
+constexpr Target kExact = {0.005, 0.005, true}, kRough = {0.02, 0.03, false};
+
 /// Prints a line for each life if RME_PRINT is set.
 template <int Dofs>
-void judge(const Arm& arm, double rated, const Faults& faults, double share, double least, bool across) {
-  for (const double mass : {0.3, 1.0, 0.5 * rated, rated}) {
-    for (const bool moving : {false, true}) {
-      const unsigned seed = 17;
-      CAPTURE(arm.file, mass, moving, seed);
-      const Found found = live<Dofs>(arm, rated, mass, moving, faults, seed);
-      if (std::getenv("RME_PRINT") != nullptr)
-        std::printf("%s %4.1f kg %s: mass %6.1f g, com %5.2f mm, empty after %.2f s, %s, %d pushes\n",
-                    std::string(arm.file).substr(std::string(arm.file).rfind('/') + 1).c_str(), mass,
-                    moving ? "moving " : "at rest", 1e3 * found.mass_error, 1e3 * found.com_error, found.empty_after,
-                    found.attached ? "attached" : "not attached", found.pushes);
-      CHECK(found.attached);
-      CHECK(found.pushes == 0);
-      CHECK(found.mass_error <= std::max(share * mass, least));
-      if (across) CHECK(found.com_error <= 0.002);
-      CHECK(found.empty_after <= 1);
-    }
+void judge(const Arm& arm, double rated, const std::vector<double>& masses, bool moving, const Faults& faults,
+           const Target& target) {
+  for (const double mass : masses) {
+    const unsigned seed = 17;
+    CAPTURE(arm.file, mass, moving, seed, faults.torque_noise, faults.velocity_noise, faults.coulomb);
+    const Found found = live<Dofs>(arm, rated, mass, moving, faults, seed);
+    if (std::getenv("RME_PRINT") != nullptr)
+      std::printf(
+          "%s %4.1f kg %s, noise %.2f N m, %.0f mrad/s, friction %.1f: mass %6.1f g (+- %.1f), com %5.2f mm, health "
+          "%.1f, pushed %.2f, friction shows %.2f, empty after %.2f s (%.0f g at last), %s, %d pushes\n",
+          std::string(arm.file).substr(std::string(arm.file).rfind('/') + 1).c_str(), mass,
+          moving ? "moving " : "at rest", faults.torque_noise, 1e3 * faults.velocity_noise, faults.coulomb,
+          1e3 * found.mass_error, 1e3 * found.mass_deviation, 1e3 * found.com_error, found.health, found.pushed,
+          found.friction_shows, std::min(found.empty_after, 99.0), 1e3 * found.mass_after,
+          found.attached ? "attached" : "not attached", found.pushes);
+    CHECK(found.attached);
+    CHECK(found.mass_error <= std::max(target.share * mass, target.least));
+    if (target.across) CHECK(found.com_error <= 0.002);
+    if (target.across) CHECK(found.pushes == 0);
+    CHECK(found.empty_after <= 1);
   }
 }
 
-TEST_CASE("KDL: payloads from 0.3 kg to the rated load are found in KDL's forward dynamics, and none rejected",
-          "[kdl]") {
-  judge<6>(kSmall, 5, {}, 0.005, 0.005, true);
-  judge<6>(kLarge, 10, {}, 0.005, 0.005, true);
-  judge<7>(kHand, 3, {}, 0.005, 0.005, true);
+const std::vector<double> kSmallMasses = {0.3, 1, 2.5, 5}, kLargeMasses = {0.3, 1, 5, 10},
+                          kHandMasses = {0.3, 1, 1.5, 3};
+constexpr Faults kNone = {}, kNoise = {0.08, 0.002, 0, 0}, kFriction = {0, 0, 0.5, 0.2},
+                 kBoth = {0.08, 0.002, 0.5, 0.2};
+
+// Payloads from 0.3 kg to the rated load, in KDL's forward dynamics. A tag for each test of ctest, which runs them at
+// the same time.
+TEST_CASE("KDL: an arm rated for 5 kg finds its payloads, and rejects none", "[kdl][small]") {
+  judge<6>(kSmall, 5, kSmallMasses, false, kNone, kExact);
+  judge<6>(kSmall, 5, kSmallMasses, true, kNone, kExact);
+}
+TEST_CASE("KDL: an arm rated for 10 kg finds its payloads, and rejects none", "[kdl][large]") {
+  judge<6>(kLarge, 10, kLargeMasses, false, kNone, kExact);
+  judge<6>(kLarge, 10, kLargeMasses, true, kNone, kExact);
+}
+TEST_CASE("KDL: an arm of seven joints with a hand finds its payloads, and rejects none", "[kdl][hand]") {
+  judge<7>(kHand, 3, kHandMasses, false, kNone, kExact);
+  judge<7>(kHand, 3, kHandMasses, true, kNone, kExact);
 }
 
-// Hidden: a target that is not reached yet. RME_PRINT=1 integration_test_kdl "[friction]" says how far it is.
-TEST_CASE("KDL: under noise and friction that nobody told they are found within 2 % or 30 g", "[.][friction]") {
-  for (const Faults& faults : {Faults{0.08, 0.002, 0, 0}, Faults{0, 0, 0.5, 0.2}, Faults{0.08, 0.002, 0.5, 0.2}}) {
-    if (std::getenv("RME_PRINT") != nullptr)
-      std::printf("noise %.2f N m, %.0f mrad/s, friction %.1f/%.1f N m\n", faults.torque_noise,
-                  1e3 * faults.velocity_noise, faults.coulomb, faults.wrist_coulomb);
-    judge<6>(kSmall, 5, faults, 0.02, 0.03, false);
-    judge<6>(kLarge, 10, faults, 0.02, 0.03, false);
-    judge<7>(kHand, 3, faults, 0.02, 0.03, false);
+TEST_CASE("KDL: under noise the lightest and the heaviest payload are found within 2 % or 30 g", "[kdl][noise]") {
+  for (const bool moving : {false, true}) {
+    judge<6>(kSmall, 5, {0.3, 5}, moving, kNoise, kRough);
+    judge<6>(kLarge, 10, {0.3, 10}, moving, kNoise, kRough);
+    judge<7>(kHand, 3, {0.3, 3}, moving, kNoise, kRough);
+  }
+}
+
+TEST_CASE("KDL: under friction that nobody told, payloads in motion are found within 2 % or 30 g", "[kdl][friction]") {
+  judge<6>(kSmall, 5, kSmallMasses, true, kFriction, kRough);
+  judge<6>(kLarge, 10, kLargeMasses, true, kFriction, kRough);
+  judge<7>(kHand, 3, kHandMasses, true, kFriction, kRough);
+  judge<7>(kHand, 3, kHandMasses, true, kBoth, kRough);  // and noise
+}
+
+// Hidden: a target that is not reached yet, nor always can be. At rest friction may hold any torque up to its size:
+// with 0.5 and 0.2 N m that alone leaves the mass a standard deviation of 31 (10 kg's arm) to 60 g (the hand's) in this
+// pose. RME_PRINT=1 integration_test_kdl "[all_faults]" says how far it is.
+TEST_CASE("KDL: under noise and friction that nobody told they are found within 2 % or 30 g", "[.][all_faults]") {
+  for (const Faults& faults : {kNoise, kFriction, kBoth}) {
+    for (const bool moving : {false, true}) {
+      judge<6>(kSmall, 5, kSmallMasses, moving, faults, kRough);
+      judge<6>(kLarge, 10, kLargeMasses, moving, faults, kRough);
+      judge<7>(kHand, 3, kHandMasses, moving, faults, kRough);
+    }
   }
 }
 

@@ -76,19 +76,20 @@ struct ObserverInput {
   Vector7 tau, dq;
   Matrix7 mass_matrix;
   Vector7 coriolis, gravity;
+  double period;
 };
 struct Observer final : LoopCall<rme::MomentumObserver<double, 7>, ObserverInput> {
   using Object = rme::MomentumObserver<double, 7>;
   Object make() const override { return Object(kPeriod); }
   ObserverInput good(Random& random) const override {
-    return {gaussian<Vector7>(random, 20), gaussian<Vector7>(random, 1), Matrix7::Identity(),
-            gaussian<Vector7>(random, 1), gaussian<Vector7>(random, 20)};
+    return {gaussian<Vector7>(random, 20), gaussian<Vector7>(random, 1),  Matrix7::Identity(),
+            gaussian<Vector7>(random, 1),  gaussian<Vector7>(random, 20), kPeriod};
   }
   Entries entries(ObserverInput& in) const override {
-    return entries_of(in.tau, in.dq, in.mass_matrix, in.coriolis, in.gravity);
+    return entries_of(in.tau, in.dq, in.mass_matrix, in.coriolis, in.gravity, in.period);
   }
   Status call(Object& object, const ObserverInput& in) const override {
-    return object.update(in.tau, in.dq, in.mass_matrix, in.coriolis, in.gravity);
+    return object.update(in.tau, in.dq, in.mass_matrix, in.coriolis, in.gravity, in.period);
   }
   VectorXd answers(const Object& object) const override { return object.tau_ext(); }
 };

@@ -26,7 +26,8 @@ constexpr const char* kUsage =
     "  --frame NAME        the end effector: a link or joint of the URDF\n"
     "  --settings FILE     settings.json, as check_arm writes it\n"
     "  --rated-payload M   heaviest payload of the arm [kg]\n"
-    "  --gains K1,K2,...   tau1.. are motor currents [A]; of each joint, its torque for one [N m/A]\n";
+    "  --gains K1,K2,...   tau1.. are motor currents [A]; of each joint, its torque for one [N m/A]\n"
+    "  --rotor-inertia I1,I2,...  of each joint, as check_arm names it [kg m^2]\n";
 
 std::vector<std::string> split(const std::string& list) {
   std::vector<std::string> words(1);
@@ -65,7 +66,7 @@ void print(const rme::EstimatorState<double>& state) {
 template <int Dofs>
 int carry(const pinocchio::Model& robot, const std::vector<std::string>& joints, const std::string& frame,
           const std::string& log_name, const rme::EstimatorConfig<double, Dofs>& config,
-          const rme::JointVector<double, Dofs>& gains) {
+          const rme::JointVector<double, Dofs>& gains, const rme::JointVector<double, Dofs>& rotors) {
   const rme::examples::Log<Dofs> log = rme::examples::read_log<Dofs>(log_name);
   if (log.tau.empty() || log.dq.empty())
     throw rme::examples::LogError(log.name + ":1: columns tau1.. and dq1.. needed");
@@ -75,7 +76,7 @@ int carry(const pinocchio::Model& robot, const std::vector<std::string>& joints,
   std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
   const double period = steps[steps.size() / 2];
 
-  hosts::PinocchioSensing<Dofs> sensing(hosts::arm_of(robot, joints), frame, period, config, gains);
+  hosts::PinocchioSensing<Dofs> sensing(hosts::arm_of(robot, joints), frame, period, config, gains, rotors);
   hosts::PayloadCompensation<Dofs> payload(period, config);
   hosts::PayloadChanges changes;
   rme::Proprioception<double, Dofs> sample;
@@ -109,11 +110,14 @@ int run(Arguments& arguments, const std::vector<std::string>& joints, const std:
   rme::JointVector<double, Dofs> gains = rme::JointVector<double, Dofs>::Ones();
   if (const auto given = arguments.numbers("--gains", Dofs))
     gains = Eigen::Map<const rme::JointVector<double, Dofs>>(given->data());
+  rme::JointVector<double, Dofs> rotors = rme::JointVector<double, Dofs>::Zero();
+  if (const auto given = arguments.numbers("--rotor-inertia", Dofs))
+    rotors = Eigen::Map<const rme::JointVector<double, Dofs>>(given->data());
   const std::string log = arguments.positional("LOG.csv");
   arguments.finish();
   pinocchio::Model robot;
   pinocchio::urdf::buildModel(urdf, robot);
-  return carry<Dofs>(robot, joints, *frame, log, config, gains);
+  return carry<Dofs>(robot, joints, *frame, log, config, gains, rotors);
 }
 
 int dispatch(Arguments& arguments) {

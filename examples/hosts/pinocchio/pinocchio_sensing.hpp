@@ -51,43 +51,39 @@ class PinocchioSensing {
   /// @param period        nominal, of the control loop [s]
   /// @param config        the estimator's: its bandwidth is the observer's gain, its sign that of the arm's torque
   /// @param gains         of each joint, its torque for what the arm reports, where that is motor current [N m/A]
+  /// @param rotors        of each joint, its rotor's inertia, gear included, which no URDF has [kg m^2]: the
+  ///                      --rotor-inertia that check_arm names, where the torque accelerates the rotors as well
   /// @throws std::invalid_argument saying what was expected and what came
   PinocchioSensing(const pinocchio::Model& arm, const std::string& end_effector, double period,
-                   const rme::EstimatorConfig<double, Dofs>& config = {}, const Vector& gains = Vector::Ones())
+                   const rme::EstimatorConfig<double, Dofs>& config = {}, const Vector& gains = Vector::Ones(),
+                   const Vector& rotors = Vector::Zero())
       : model_(checked(arm, end_effector)),
         data_(model_),
         end_effector_(model_.getFrameId(end_effector)),
         period_(period),
         sign_(static_cast<double>(config.torque_sign)),
         gains_(gains),
-        observer_(period, {Vector::Constant(config.observer_bandwidth)}) {
+        rotors_(rotors),
+        observer_(kFilterPeriod, {Vector::Constant(config.observer_bandwidth)}) {
     model_.gravity.linear(config.gravity);
   }
 
-  void reset() noexcept {
-    observer_.reset();
-    started_ = false;
-  }
+  void reset() noexcept { observer_.reset(); }
 
   /// @param tau     joint torque over the period that ends now, gravity and compensation included [N m]; or current
-  /// @param period  measured [s], or 0 for the nominal one
+  /// @param period  measured [s], or 0 for the nominal one; ticks that were lost are time that passed
   /// @param sample  as it was unless the status is Ok
   rme::Status update(const Vector& q, const Vector& dq, const Vector& tau, double period,
                      rme::Proprioception<double, Dofs>& sample) {
     pinocchio::computeAllTerms(model_, data_, q, dq);
     pinocchio::computeCoriolisMatrix(model_, data_, q, dq);
     mass_matrix_ = data_.M.template selfadjointView<Eigen::Upper>();  // Pinocchio fills the upper triangle alone
+    mass_matrix_.diagonal() += rotors_;
     coriolis_transpose_.noalias() = data_.C.transpose() * dq;
     const Vector torque = sign_ * gains_.cwiseProduct(tau);
-    // Ticks that were lost, on a straight line: the observer counts in nominal periods.
-    const int ticks = started_ && period > 1.5 * period_ ? static_cast<int>(std::min(period / period_ + 0.5, 20.0)) : 1;
-    for (int i = 1; i <= ticks; ++i) {
-      const Vector between = dq + (1 - static_cast<double>(i) / ticks) * (last_dq_ - dq);
-      const rme::Status status = observer_.update(torque, between, mass_matrix_, coriolis_transpose_, data_.g);
-      if (status != rme::Status::Ok) return status;
-    }
-    last_dq_ = dq;
-    started_ = true;
+    const rme::Status status =
+        observer_.update(torque, dq, mass_matrix_, coriolis_transpose_, data_.g, period > 0 ? period : period_);
+    if (status != rme::Status::Ok) return status;
     sample.tau_ext = sign_ * observer_.tau_ext();  // the estimator takes the same sign off again
     sample.jacobian.setZero();
     pinocchio::getFrameJacobian(model_, data_, end_effector_, pinocchio::LOCAL_WORLD_ALIGNED, sample.jacobian);
@@ -128,15 +124,17 @@ class PinocchioSensing {
     return arm;
   }
 
+  // The estimator expects a filter that advances each millisecond, however often the host looks [s].
+  static constexpr double kFilterPeriod = 0.001;
+
   pinocchio::Model model_;
   pinocchio::Data data_;
   pinocchio::FrameIndex end_effector_;
   double period_, sign_;
-  Vector gains_;
+  Vector gains_, rotors_;
   rme::MomentumObserver<double, Dofs> observer_;
   rme::JointMatrix<double, Dofs> mass_matrix_;
-  Vector coriolis_transpose_, last_dq_ = Vector::Zero();
-  bool started_ = false;
+  Vector coriolis_transpose_;
 };
 // </snippet>
 

@@ -23,13 +23,19 @@ struct MomentumObserverConfig {
 ///     r_k = r_k-1 + K dt (u_k - r_k-1),                        r_0 = 0
 ///
 /// and r is tau_ext seen through the first-order filter K / (s + K), by Euler's rule, as nearly all arms have it. An
-/// external torque that sets in at sample k therefore shows first at sample k + 1, with K dt of its size. Whoever
-/// compares r with a model x of tau_ext passes the model through the same filter, x averaged over the period that ends
-/// with sample k, or inverts the filter (SampleWindow).
+/// external torque that sets in at sample k therefore shows first at sample k + 1, with K dt of its size. Where the
+/// host measures its period h, u_k is the remainder over h, and the same filter advances by h / dt periods at once:
+///
+///     r_k = r_k-1 + (1 - (1 - K dt)^(h / dt)) (u_k - r_k-1)
+///
+/// so that r does not depend on how the time was divided into samples, and ticks that were lost are time that passed.
+/// Whoever compares r with a model x of tau_ext passes the model through the same filter, x averaged over the period
+/// that ends with sample k, or inverts the filter (SampleWindow).
 ///
 /// Sign: r is what the environment exerts on the arm, tau_ext of M ddq + C dq + g = tau + tau_ext. Joint friction that
 /// the torque sensor does not see is part of it; an offset of the torque sensor enters with the opposite sign.
-/// Real time: update() is O(Dofs^2), allocates nothing, throws nothing.
+/// Real time: update() is O(Dofs^2), with a period also an exponential for each joint; allocates nothing, throws
+/// nothing.
 template <typename Scalar, int Dofs>
 class MomentumObserver {
  public:
@@ -47,10 +53,11 @@ class MomentumObserver {
   /// @param mass_matrix         M(q) now [kg m^2], of the arm without payload
   /// @param coriolis_transpose  C(q, dq)^T dq now, for C with dM/dt = C + C^T [N m]
   /// @param gravity             g(q) now, the term of the dynamics above [N m]
-  /// @return Ok, or NonFiniteInput, also for torques and momenta beyond kLargestPlausible, which leaves the observer as
-  ///         it was
+  /// @param period              time since the sample before, where it is measured [s]; 0 is the nominal period dt
+  /// @return Ok, or NonFiniteInput, also for a period below 0 and for torques, momenta and periods beyond
+  ///         kLargestPlausible, which leaves the observer as it was
   Status update(const Vector& tau, const Vector& dq, const JointMatrix<Scalar, Dofs>& mass_matrix,
-                const Vector& coriolis_transpose, const Vector& gravity) noexcept;
+                const Vector& coriolis_transpose, const Vector& gravity, double period = 0) noexcept;
 
   /// r, the filtered external torque [N m]; zero until two samples are in.
   const Vector& tau_ext() const noexcept { return residual_; }
@@ -61,6 +68,7 @@ class MomentumObserver {
  private:
   Scalar dt_;
   Vector blend_;  // K dt
+  Vector rate_;   // of the filter that Euler's rule makes of it: ln(1 - K dt) / dt [1/s], -infinity where K dt is 1
   Vector residual_ = Vector::Zero();
   Vector momentum_ = Vector::Zero();  // p_k-1
   Vector drift_ = Vector::Zero();     // s_k-1
@@ -75,19 +83,28 @@ MomentumObserver<Scalar, Dofs>::MomentumObserver(Scalar dt, const MomentumObserv
     detail::require(config.gain[i] > 0 && config.gain[i] * dt <= 1, "MomentumObserverConfig::gain",
                     "> 0 rad/s and at most one over the period", config.gain[i]);
   blend_ = config.gain * dt;
+  for (int i = 0; i < Dofs; ++i) rate_[i] = std::log1p(-blend_[i]) / dt;
 }
 
 template <typename Scalar, int Dofs>
 Status MomentumObserver<Scalar, Dofs>::update(const Vector& tau, const Vector& dq,
                                               const JointMatrix<Scalar, Dofs>& mass_matrix,
-                                              const Vector& coriolis_transpose, const Vector& gravity) noexcept {
+                                              const Vector& coriolis_transpose, const Vector& gravity,
+                                              double period) noexcept {
+  if (!(period >= 0 && plausible(period))) return Status::NonFiniteInput;
+  const Scalar h = period > 0 ? static_cast<Scalar>(period) : dt_;
   const Vector momentum = mass_matrix * dq;
   const Vector drift = coriolis_transpose - gravity;
-  const Vector remainder = (momentum - momentum_) / dt_ - tau - Scalar(0.5) * (drift + drift_);
+  const Vector remainder = (momentum - momentum_) / h - tau - Scalar(0.5) * (drift + drift_);
   // Any NaN or infinity among the inputs, and any overflow, ends up in these.
   if (!plausible(momentum) || !plausible(drift) || !plausible(tau) || !remainder.allFinite())
     return Status::NonFiniteInput;
-  if (started_) residual_ += blend_.cwiseProduct(remainder - residual_);
+  if (started_) {
+    Vector blend = blend_;
+    if (period > 0)
+      for (int i = 0; i < Dofs; ++i) blend[i] = -std::expm1(rate_[i] * h);
+    residual_ += blend.cwiseProduct(remainder - residual_);
+  }
   momentum_ = momentum;
   drift_ = drift;
   started_ = true;
