@@ -1,14 +1,20 @@
 #!/usr/bin/env python3
 """Breaks a header in many small ways, one at a time, and says which of them its tests do not notice.
 
-    python3 tests/mutation/mutate.py HEADER TEST... [--build DIR] [--count N] [--seed N] [--jobs N] [--list]
+    python3 tests/mutation/mutate.py HEADER [TEST...] [--build DIR] [--count N] [--seed N] [--jobs N] [--list]
+    python3 tests/mutation/mutate.py --all [--count N] ...
 
 HEADER is below include/, e.g. rme/tracking/sensor_noise.hpp; TEST is a test program of the build, e.g.
-tracking_test_sensor_noise. The build folder must be a finished one. Each mutant is compiled from the test's own source
-and command, with a copy of include/ in front in which one line differs, and without precompiled templates. A mutant that
-does not compile, fails, or runs ten times longer than the original is dead. Prints one line for each that survives.
+tracking_test_sensor_noise. Without a TEST, and with --all, tests/mutation/headers.txt says which tests a header has;
+--all takes every header there, --count then counts for each. The build folder must have these tests built.
 
-Exit codes: 0 at least 95 % are dead; 1 fewer are; 2 unusable arguments.
+Each mutant is compiled from the test's own source and command, with a copy of include/ in front in which one line
+differs, and without precompiled templates. A mutant that does not compile does not count. One that fails, or runs ten
+times longer than the original, is dead. What survives is printed, unless tests/mutation/equivalent.txt explains it:
+those are not compiled, and count as alive.
+
+Exit codes: 0 every survivor is explained, and with --all at least 95 % are dead; 1 otherwise; 2 unusable arguments, or
+an explanation of a mutant that does not exist.
 """
 import argparse
 import concurrent.futures
@@ -24,6 +30,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+HERE = pathlib.Path(__file__).resolve().parent
 
 # What to look for in a line of code, and what to put in its place.
 PATTERNS = [
@@ -33,6 +40,14 @@ PATTERNS = [
     (r"\bfalse\b", "true"), (r"std::min\(", "std::max("), (r"std::max\(", "std::min("), (r"\bif \((?!constexpr)", "if (!("),
     (r"\bcontinue;", ";"), (r"(?<![\w.])0\.(\d+)\b", r"3.\1"), (r"Scalar\(([1-9]\d*)\)", r"Scalar(2 * \1)"),
 ]
+
+# What a test's compiler need not read again for each mutant. Nothing of include/ may be in it.
+PREFIX = '#include "support/catch.hpp"\n#include <Eigen/Dense>\n#include <deque>\n#include <fstream>\n#include <random>\n'
+
+
+def fail(text):
+    print("mutate: " + text, file=sys.stderr)
+    sys.exit(2)
 
 
 def mutants_of(text):
@@ -57,16 +72,48 @@ def mutants_of(text):
     return out
 
 
+def same(line):
+    """A line of code as equivalent.txt has it: without its indentation and comment."""
+    return line.split("//")[0].strip()
+
+
+def headers():
+    """tests/mutation/headers.txt: {header: [test, ...]}."""
+    lines = [line.split() for line in (HERE / "headers.txt").read_text().splitlines() if not line.startswith("#")]
+    return {words[0]: words[1:] for words in lines if words}
+
+
+def explained():
+    """tests/mutation/equivalent.txt: {(header, old line, new line): reason}."""
+    out, header, old, new = {}, None, None, None
+    for number, line in enumerate((HERE / "equivalent.txt").read_text().splitlines(), 1):
+        if not line.strip() or line.startswith("#"):
+            continue
+        mark, rest = line[0], line[2:].strip()
+        if mark == "-":
+            old, new = rest, None
+        elif mark == "+" and old:
+            new = rest
+        elif mark == "=" and new:
+            out[header, old, new] = rest
+            new = None
+        elif line.startswith("rme/"):
+            header, old, new = line.strip(), None, None
+        else:
+            fail(f"equivalent.txt:{number}: expected '- old line', '+ new line', '= reason'")
+    return out
+
+
 class Test:
     """One test program: how to compile it against another include folder, and how long it takes."""
 
-    def __init__(self, name, build):
+    def __init__(self, name, build, base):
         folder, source = name.split("_", 1)
         path = ROOT / "tests" / folder / (source + ".cpp")
         entries = json.loads((build / "compile_commands.json").read_text())
         entry = next((e for e in entries if pathlib.Path(e["file"]) == path), None)
         if entry is None:
-            sys.exit(f"mutate: {path} is in no command of {build}")
+            fail(f"{path} is in no command of {build}")
         words, self.compile = shlex.split(entry["command"]), []
         skip = False
         for word in words:
@@ -76,17 +123,24 @@ class Test:
                 skip = True
             elif word not in ("-Werror", "-Winvalid-pch", "-O3", "-MD", "-c") and not word.endswith("ccache"):
                 self.compile.append(word)
+        self.compile += ["-O1", "-w"]
         links = subprocess.run(["ninja", "-C", str(build), "-t", "commands", name], capture_output=True, text=True,
                                check=True).stdout.splitlines()
         link = next(line for line in reversed(links) if f" -o tests/{folder}/{name} " in line)
         link = link.split("&&")[1] if "&&" in link else link
         self.link = [w for w in shlex.split(link) if not w.endswith(source + ".cpp.o")]
         self.name, self.build, self.seconds = name, build, None
+        prefix = base / (name + ".hpp")
+        prefix.write_text(PREFIX + ("#include <nlohmann/json.hpp>\n" if "json.hpp" in path.read_text() else ""))
+        subprocess.run([w for w in self.compile if w != str(path)] + ["-x", "c++-header", prefix, "-o", f"{prefix}.gch"],
+                       cwd=build, check=True)
+        self.compile += ["-include", str(prefix)]
 
     def passes(self, include, folder):
+        """None if it does not compile."""
         program, unit = folder / self.name, folder / (self.name + ".o")
         compile_ = [f"-I{include}" if w == f"-I{ROOT}/include" else w for w in self.compile]
-        if subprocess.run([*compile_, "-O1", "-w", "-c", "-o", unit], cwd=self.build, capture_output=True).returncode:
+        if subprocess.run([*compile_, "-c", "-o", unit], cwd=self.build, capture_output=True).returncode:
             return None
         link = list(self.link)
         link[link.index("-o") + 1] = str(program)
@@ -94,7 +148,7 @@ class Test:
         subprocess.run(link, cwd=self.build, capture_output=True, check=True)
         begin = time.monotonic()
         try:
-            code = subprocess.run([program], cwd=folder, capture_output=True,
+            code = subprocess.run([program, "--abort"], cwd=folder, capture_output=True,
                                   timeout=None if self.seconds is None else 5 + 10 * self.seconds).returncode
         except subprocess.TimeoutExpired:
             return False
@@ -121,43 +175,97 @@ def judge(mutant, header, text, tests, base):
     return None
 
 
-def main():
-    parser = argparse.ArgumentParser(usage=__doc__)
-    parser.add_argument("header")
-    parser.add_argument("tests", nargs="+")
-    parser.add_argument("--build", default="build", type=pathlib.Path)
-    parser.add_argument("--count", type=int, help="that many of them, chosen at random")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--list", action="store_true", help="say what became of each")
-    options = parser.parse_args()
-    build = options.build.resolve()
-    header = options.header
+class Score:
+    """How many mutants became what."""
+
+    def __init__(self):
+        self.dead = self.alive = self.known = self.broken = 0
+
+    def __iadd__(self, other):
+        for name in vars(self):
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+        return self
+
+    def __str__(self):
+        count = self.dead + self.alive + self.known
+        return (f"{self.dead} of {count} mutants are dead ({100 * self.dead / max(1, count):.1f} %), "
+                f"{self.known} are explained, {self.alive} are not; {self.broken} more do not compile")
+
+
+def examine(header, test_names, explanations, options):
     text = (ROOT / "include" / header).read_text()
-    mutants = mutants_of(text)
+    everything = mutants_of(text)
+    keys = {(header, same(old), same(new)) for _, old, new in everything}
+    for key in explanations:
+        if key[0] == header and key not in keys:
+            fail(f"equivalent.txt explains what no mutant of {header} is: '{key[1]}' -> '{key[2]}'")
+    mutants = everything
+    if options.lines:
+        first, last = (int(n) for n in options.lines.split("-"))
+        mutants = [m for m in mutants if first <= m[0] + 1 <= last]
     if options.count and options.count < len(mutants):
         mutants = sorted(random.Random(options.seed).sample(mutants, options.count))
-    with tempfile.TemporaryDirectory() as base:
-        tests = [Test(name, build) for name in options.tests]
+    score = Score()
+    known = [m for m in mutants if (header, same(m[1]), same(m[2])) in explanations]
+    if not options.explained:
+        score.known = len(known)
+        mutants = [m for m in mutants if m not in known]
+    with tempfile.TemporaryDirectory() as name:
+        base = pathlib.Path(name)
+        tests = [Test(test, options.build.resolve(), base) for test in test_names]
         for test in tests:
-            if not test.passes(ROOT / "include", pathlib.Path(base)):
-                sys.exit(f"mutate: {test.name} fails on the header as it is")
-        dead = broken = 0
+            if not test.passes(ROOT / "include", base):
+                fail(f"{test.name} fails on {header} as it is")
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
             verdicts = pool.map(lambda m: judge(m, header, text, tests, base), mutants)
             for k, (mutant, verdict) in enumerate(zip(mutants, verdicts), 1):
                 number, old, new = mutant
-                broken += verdict == "compile"
-                dead += verdict not in (None, "compile")
-                if verdict is None or options.list:
+                if verdict == "compile":
+                    score.broken += 1
+                elif verdict is not None:
+                    score.dead += 1
+                elif mutant in known:
+                    score.known += 1
+                else:
+                    score.alive += 1
+                if options.list or (verdict is None and mutant not in known) or (verdict is not None and mutant in known):
                     print(f"{header}:{number + 1}: {'SURVIVES' if verdict is None else 'dead, ' + verdict}\n"
-                          f"  - {old.strip()}\n  + {new.strip()}", flush=True)
+                          f"- {same(old)}\n+ {same(new)}", flush=True)
                 print(f"\r{k} of {len(mutants)}", end="", file=sys.stderr, flush=True)
         print(file=sys.stderr)
-    count = len(mutants) - broken
-    print(f"{header}: {dead} of {count} mutants are dead ({100 * dead / max(1, count):.0f} %); "
-          f"{broken} more do not compile. Seed {options.seed}.")
-    return 0 if dead >= 0.95 * count else 1
+    print(f"{header}: {score}. Seed {options.seed}.", flush=True)
+    return score
+
+
+def main():
+    parser = argparse.ArgumentParser(usage=__doc__)
+    parser.add_argument("header", nargs="?")
+    parser.add_argument("tests", nargs="*")
+    parser.add_argument("--all", action="store_true", help="every header of headers.txt, and a total")
+    parser.add_argument("--build", default="build", type=pathlib.Path)
+    parser.add_argument("--count", type=int, help="that many of them, chosen at random")
+    parser.add_argument("--lines", help="FIRST-LAST: of these lines only")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--list", action="store_true", help="say what became of each")
+    parser.add_argument("--explained", action="store_true", help="run those that equivalent.txt explains as well")
+    options = parser.parse_args()
+    table, explanations = headers(), explained()
+    if options.all == bool(options.header):
+        fail("expected either a header or --all")
+    if options.all:
+        jobs = table
+    elif options.tests or options.header in table:
+        jobs = {options.header: options.tests or table[options.header]}
+    else:
+        fail(f"headers.txt has no tests for {options.header}; name them")
+    total = Score()
+    for header, tests in jobs.items():
+        total += examine(header, tests, explanations, options)
+    if options.all:
+        print(f"total: {total}.")
+    enough = total.dead >= 0.95 * (total.dead + total.known + total.alive)
+    return 0 if total.alive == 0 and (enough or not options.all) else 1
 
 
 if __name__ == "__main__":
