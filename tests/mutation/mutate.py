@@ -9,7 +9,7 @@ tracking_test_sensor_noise. Without a TEST, and with --all, tests/mutation/heade
 --all takes every header there, --count then counts for each. The build folder must have these tests built.
 
 Each mutant is compiled from the test's own source and command, with a copy of include/ in front in which one line
-differs, and without precompiled templates. A mutant that does not compile does not count. One that fails, or runs ten
+differs, with assertions, and without precompiled templates. A mutant that does not compile does not count. One that fails, or runs ten
 times longer than the original, is dead. What survives is printed, unless tests/mutation/equivalent.txt explains it:
 those are not compiled, and count as alive.
 
@@ -83,24 +83,31 @@ def headers():
     return {words[0]: words[1:] for words in lines if words}
 
 
-def explained():
-    """tests/mutation/equivalent.txt: {(header, old line, new line): reason}."""
+def explanations_of(text):
+    """{(header, old line, new line): reason} of equivalent.txt, or of what this program prints."""
     out, header, old, new = {}, None, None, None
-    for number, line in enumerate((HERE / "equivalent.txt").read_text().splitlines(), 1):
-        if not line.strip() or line.startswith("#"):
-            continue
-        mark, rest = line[0], line[2:].strip()
-        if mark == "-":
-            old, new = rest, None
-        elif mark == "+" and old:
+    for line in text.splitlines():
+        mark, rest = line[:2], line[2:].strip()
+        if line.startswith("rme/"):
+            header = line.split(":")[0].strip()
+        elif mark == "- ":
+            old = rest
+        elif mark == "+ ":
             new = rest
-        elif mark == "=" and new:
+            out[header, old, new] = ""
+        elif mark == "= ":
             out[header, old, new] = rest
-            new = None
-        elif line.startswith("rme/"):
-            header, old, new = line.strip(), None, None
-        else:
-            fail(f"equivalent.txt:{number}: expected '- old line', '+ new line', '= reason'")
+        elif line.strip() and not line.startswith(("#", "total")):
+            fail(f"expected a header, '- old line', '+ new line' or '= reason', got '{line}'")
+    return out
+
+
+def explained():
+    """What tests/mutation/equivalent.txt says."""
+    out = explanations_of((HERE / "equivalent.txt").read_text())
+    for key, reason in out.items():
+        if not reason:
+            fail(f"equivalent.txt does not say why '{key[1]}' may become '{key[2]}'")
     return out
 
 
@@ -121,9 +128,10 @@ class Test:
                 skip = False
             elif word in ("-include", "-o", "-Xclang", "-MT", "-MF"):
                 skip = True
-            elif word not in ("-Werror", "-Winvalid-pch", "-O3", "-MD", "-c") and not word.endswith("ccache"):
+            elif word not in ("-Werror", "-Winvalid-pch", "-O3", "-DNDEBUG", "-MD", "-c") and not word.endswith("ccache"):
                 self.compile.append(word)
-        self.compile += ["-O1", "-w"]
+        # What leaves an array may do no harm otherwise.
+        self.compile += ["-O1", "-w", "-D_GLIBCXX_ASSERTIONS"]
         links = subprocess.run(["ninja", "-C", str(build), "-t", "commands", name], capture_output=True, text=True,
                                check=True).stdout.splitlines()
         link = next(line for line in reversed(links) if f" -o tests/{folder}/{name} " in line)
@@ -200,9 +208,9 @@ def examine(header, test_names, explanations, options):
         if key[0] == header and key not in keys:
             fail(f"equivalent.txt explains what no mutant of {header} is: '{key[1]}' -> '{key[2]}'")
     mutants = everything
-    if options.lines:
-        first, last = (int(n) for n in options.lines.split("-"))
-        mutants = [m for m in mutants if first <= m[0] + 1 <= last]
+    if options.only:
+        wanted = explanations_of(options.only.read_text())
+        mutants = [m for m in mutants if (header, same(m[1]), same(m[2])) in wanted]
     if options.count and options.count < len(mutants):
         mutants = sorted(random.Random(options.seed).sample(mutants, options.count))
     score = Score()
@@ -244,7 +252,7 @@ def main():
     parser.add_argument("--all", action="store_true", help="every header of headers.txt, and a total")
     parser.add_argument("--build", default="build", type=pathlib.Path)
     parser.add_argument("--count", type=int, help="that many of them, chosen at random")
-    parser.add_argument("--lines", help="FIRST-LAST: of these lines only")
+    parser.add_argument("--only", type=pathlib.Path, metavar="FILE", help="those that FILE, an earlier output, prints")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--list", action="store_true", help="say what became of each")
