@@ -8,10 +8,11 @@ HEADER is below include/, e.g. rme/tracking/sensor_noise.hpp; TEST is a test pro
 tracking_test_sensor_noise. Without a TEST, and with --all, tests/mutation/headers.txt says which tests a header has;
 --all takes every header there, --count then counts for each. The build folder must have these tests built.
 
-Each mutant is compiled from the test's own source and command, with a copy of include/ in front in which one line
-differs, with assertions, and without precompiled templates. A mutant that does not compile does not count. One that fails, or runs ten
-times longer than the original, is dead. What survives is printed, unless tests/mutation/equivalent.txt explains it:
-those are not compiled, and count as alive.
+Each mutant differs in one line. As many as possible are compiled at once, each behind a test of an environment variable;
+the others, where a line cannot hold both, one at a time. They are compiled from the test's own source and command, with a
+copy of include/ in front, with assertions, and without precompiled templates. A mutant that does not compile does not
+count. One that fails, or runs ten times longer than the original, is dead. What survives is printed, unless
+tests/mutation/equivalent.txt explains it: those are not run, and count as alive.
 
 Exit codes: 0 every survivor is explained, and with --all at least 95 % are dead; 1 otherwise; 2 unusable arguments, or
 an explanation of a mutant that does not exist.
@@ -19,6 +20,7 @@ an explanation of a mutant that does not exist.
 import argparse
 import concurrent.futures
 import json
+import os
 import pathlib
 import random
 import re
@@ -45,6 +47,15 @@ PATTERNS = [
 PREFIX = '#include "support/catch.hpp"\n#include <Eigen/Dense>\n#include <deque>\n#include <fstream>\n#include <random>\n'
 
 
+# Which mutant is chosen; in the first line, so that the others keep their numbers.
+SWITCH = """
+#include <cstdlib>
+namespace rme_mutation {
+inline const int chosen = std::getenv("RME_MUTANT") ? std::atoi(std::getenv("RME_MUTANT")) : 0;
+}
+#line 2"""
+
+
 def fail(text):
     print("mutate: " + text, file=sys.stderr)
     sys.exit(2)
@@ -68,8 +79,102 @@ def mutants_of(text):
                     if depth:
                         continue
                     new = new[:end] + ")" + new[end:]
-                out.append((number, line, new))
+                out.append((number, code, new))
     return out
+
+
+def closing(code, begin):
+    """Where the bracket that is open before `begin` closes."""
+    depth = 1
+    for i in range(begin, len(code)):
+        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(code[i], 0)
+        if depth == 0:
+            return i
+    return None
+
+
+def split_at(code, begin, end, mark):
+    """The (begin, end) of what `mark` separates in code[begin:end], brackets left whole."""
+    out, depth = [], 0
+    for i in range(begin, end):
+        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(code[i], 0)
+        if depth == 0 and code[i] == mark:
+            out.append((begin, i))
+            begin = i + 1
+    return out + [(begin, end)]
+
+
+ASSIGNMENT = re.compile(r"^ *[\w.\->()\[\]:*&]+(?:<[^=;]*>)? (?:[+\-*/]?=) ")
+DECLARATION = re.compile(r"^ *(?:static |constexpr |const )*[\w:]+(?:<[^=;]*>)?[&*]? [&*]?\w+ = ")
+
+
+def regions(code):
+    """Parts of a line that can stand beside a changed form of themselves: (begin, end, is it a statement?)."""
+    out, rest = [], re.match(r" *(?:\} )?(?:else )?", code).end()
+    while True:
+        head = re.match(r"(?:if|while|for) \(", code[rest:])
+        if not head:
+            break
+        begin, end = rest + head.end(), closing(code, rest + head.end())
+        if end is None:
+            return out
+        for b, e in split_at(code, begin, end, ";"):
+            declared = DECLARATION.match(code[b:e])
+            if " : " not in code[b:e] or "?" in code[b:e]:
+                out.append((b + (declared.end() if declared else 0), e, False))
+        rest = end + 1 + len(re.match(r" *", code[end + 1:]).group())
+    if not code.rstrip().endswith(";"):
+        return out
+    end = len(code.rstrip()) - 1
+    if code.startswith("return ", rest):
+        out.append((rest + 7, end, False))
+    elif DECLARATION.match(code[rest:]):
+        for b, e in split_at(code, rest, end, ","):
+            equals = code.find(" = ", b, e)
+            if equals >= 0:
+                out.append((equals + 3, e, False))
+    elif ASSIGNMENT.match(code[rest:]) or re.match(r"[\w:.]+\(|\+\+|--|\(void\)", code[rest:]) or code[rest:end] == "continue":
+        out.append((rest, end + 1, True))
+    return out
+
+
+def differing(old, new):
+    """The first place, and the last one in each, in which two lines differ."""
+    first = next((i for i, (a, b) in enumerate(zip(old, new)) if a != b), min(len(old), len(new)))
+    last = 0
+    while last < min(len(old), len(new)) - first and old[-1 - last] == new[-1 - last]:
+        last += 1
+    return first, len(old) - last, len(new) - last
+
+
+def together(text, mutants):
+    """The header with all of `mutants` {number: mutant}, the one chosen whose number is in RME_MUTANT, and the numbers of
+    those that it has; the others cannot be switched."""
+    lines, held, per_line = text.splitlines(), set(), {}
+    for name, mutant in mutants.items():
+        per_line.setdefault(mutant[0], []).append((name, mutant))
+    for number, here in per_line.items():
+        code = lines[number].split("//")[0]
+        before = next((l for l in reversed(lines[:number]) if l.split("//")[0].strip()), "").split("//")[0].rstrip()
+        if before and not before.endswith((";", "{", "}", ")", "else", ":", ">")) and not before.startswith("#"):
+            continue  # in the middle of a statement
+        if before.endswith(")") and not re.match(r" *(?:\} )?(?:else )?(?:if|for|while) \(", before):
+            continue
+        for begin, end, statement in sorted(regions(code), reverse=True):
+            out = code[begin:end]
+            for name, (_, old, new) in here:
+                first, old_end, _ = differing(old, new)
+                if first < begin or old_end > end:
+                    continue
+                changed = new[begin:end + len(new) - len(old)]
+                chosen = f"rme_mutation::chosen == {name}"
+                out = f"if ({chosen}) {{ {changed} }} else {{ {out} }}" if statement else f"({chosen} ? ({changed}) : ({out}))"
+                held.add(name)
+            code = code[:begin] + ("{ " + out + " }" if statement else out) + code[end:]
+        lines[number] = code
+    first = lines.index("#pragma once")
+    lines[first] += SWITCH
+    return "\n".join(lines) + "\n", held
 
 
 def same(line):
@@ -144,19 +249,25 @@ class Test:
                        cwd=build, check=True)
         self.compile += ["-include", str(prefix)]
 
-    def passes(self, include, folder):
-        """None if it does not compile."""
-        program, unit = folder / self.name, folder / (self.name + ".o")
+    def builds(self, include, folder):
+        """Compiles against `include`. @return what the compiler says against it, empty if nothing"""
+        unit = folder / (self.name + ".o")
         compile_ = [f"-I{include}" if w == f"-I{ROOT}/include" else w for w in self.compile]
-        if subprocess.run([*compile_, "-c", "-o", unit], cwd=self.build, capture_output=True).returncode:
-            return None
+        done = subprocess.run([*compile_, "-c", "-o", unit], cwd=self.build, capture_output=True, text=True)
+        if done.returncode:
+            return done.stderr
         link = list(self.link)
-        link[link.index("-o") + 1] = str(program)
+        link[link.index("-o") + 1] = str(folder / self.name)
         link.insert(link.index("-o"), str(unit))
         subprocess.run(link, cwd=self.build, capture_output=True, check=True)
+        return ""
+
+    def passes(self, folder, mutant=0):
+        """Whether the program in `folder` succeeds."""
         begin = time.monotonic()
         try:
-            code = subprocess.run([program, "--abort"], cwd=folder, capture_output=True,
+            code = subprocess.run([folder / self.name, "--abort"], cwd=folder, capture_output=True,
+                                  env={**os.environ, "RME_MUTANT": str(mutant)},
                                   timeout=None if self.seconds is None else 5 + 10 * self.seconds).returncode
         except subprocess.TimeoutExpired:
             return False
@@ -164,23 +275,52 @@ class Test:
         return code == 0
 
 
-def judge(mutant, header, text, tests, base):
+def include_with(header, text, folder):
+    """A copy of include/ in `folder` in which `header` is `text`."""
+    include = folder / "include"
+    shutil.copytree(ROOT / "include", include)
+    (include / header).write_text(text)
+    return include
+
+
+def judge_alone(mutant, header, text, tests, base):
     """'compile' if it does not, the name of the test that fails, or None if all pass."""
     number, _, new = mutant
     with tempfile.TemporaryDirectory(dir=base) as name:
         folder = pathlib.Path(name)
-        include = folder / "include"
-        shutil.copytree(ROOT / "include", include)
         lines = text.splitlines()
         lines[number] = new
-        (include / header).write_text("\n".join(lines) + "\n")
+        include = include_with(header, "\n".join(lines) + "\n", folder)
         for test in tests:
-            passed = test.passes(include, folder)
-            if passed is None:
+            if test.builds(include, folder):
                 return "compile"
-            if not passed:
+            if not test.passes(folder):
                 return test.name
     return None
+
+
+def judge_together(mutants, header, text, tests, base, pool):
+    """{number: the name of the test that fails, or None} of those that can be compiled at once."""
+    with tempfile.TemporaryDirectory(dir=base) as name:
+        folder, candidates = pathlib.Path(name), dict(mutants)
+        while candidates:
+            merged, held = together(text, candidates)
+            shutil.rmtree(folder / "include", ignore_errors=True)
+            include = include_with(header, merged, folder)
+            complaint = "".join(list(pool.map(lambda test: test.builds(include, folder), tests)))
+            candidates = {k: m for k, m in candidates.items() if k in held}
+            if not complaint:
+                break
+            wrong = {int(n) - 1 for n in re.findall(re.escape(header) + r":(\d+):", complaint)}
+            left = {k: m for k, m in candidates.items() if m[0] not in wrong}
+            candidates = left if len(left) < len(candidates) else {}
+        if candidates and not all(test.passes(folder) for test in tests):
+            fail(f"the tests of {header} fail where its mutants are switched off")
+
+        def verdict(number):
+            return next((test.name for test in tests if not test.passes(folder, number)), None)
+
+        return dict(zip(candidates, pool.map(verdict, candidates)))
 
 
 class Score:
@@ -222,11 +362,18 @@ def examine(header, test_names, explanations, options):
         base = pathlib.Path(name)
         tests = [Test(test, options.build.resolve(), base) for test in test_names]
         for test in tests:
-            if not test.passes(ROOT / "include", base):
+            if test.builds(ROOT / "include", base) or not test.passes(base):
                 fail(f"{test.name} fails on {header} as it is")
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-            verdicts = pool.map(lambda m: judge(m, header, text, tests, base), mutants)
-            for k, (mutant, verdict) in enumerate(zip(mutants, verdicts), 1):
+            verdicts = judge_together(dict(enumerate(mutants, 1)), header, text, tests, base, pool)
+            alone = [k for k in range(1, len(mutants) + 1) if k not in verdicts]
+            print(f"{header}: {len(verdicts)} mutants at once, {len(alone)} alone", file=sys.stderr, flush=True)
+            each = pool.map(lambda k: judge_alone(mutants[k - 1], header, text, tests, base), alone)
+            for count, (k, verdict) in enumerate(zip(alone, each), 1):
+                verdicts[k] = verdict
+                print(f"\r{count} of {len(alone)}", end="", file=sys.stderr, flush=True)
+            for k, mutant in enumerate(mutants, 1):
+                verdict = verdicts[k]
                 number, old, new = mutant
                 if verdict == "compile":
                     score.broken += 1
@@ -239,7 +386,6 @@ def examine(header, test_names, explanations, options):
                 if options.list or (verdict is None and mutant not in known) or (verdict is not None and mutant in known):
                     print(f"{header}:{number + 1}: {'SURVIVES' if verdict is None else 'dead, ' + verdict}\n"
                           f"- {same(old)}\n+ {same(new)}", flush=True)
-                print(f"\r{k} of {len(mutants)}", end="", file=sys.stderr, flush=True)
         print(file=sys.stderr)
     print(f"{header}: {score}. Seed {options.seed}.", flush=True)
     return score
