@@ -249,13 +249,16 @@ class Test:
                        cwd=build, check=True)
         self.compile += ["-include", str(prefix)]
 
-    def builds(self, include, folder):
+    def builds(self, include, folder, only_check=False):
         """Compiles against `include`. @return what the compiler says against it, empty if nothing"""
         unit = folder / (self.name + ".o")
         compile_ = [f"-I{include}" if w == f"-I{ROOT}/include" else w for w in self.compile]
-        done = subprocess.run([*compile_, "-c", "-o", unit], cwd=self.build, capture_output=True, text=True)
+        kind = ["-fsyntax-only"] if only_check else ["-c", "-o", unit]
+        done = subprocess.run([*compile_, *kind], cwd=self.build, capture_output=True, text=True)
         if done.returncode:
-            return done.stderr
+            return done.stderr or "unknown"
+        if only_check:
+            return ""
         link = list(self.link)
         link[link.index("-o") + 1] = str(folder / self.name)
         link.insert(link.index("-o"), str(unit))
@@ -302,19 +305,33 @@ def judge_alone(mutant, header, text, tests, base):
 def judge_together(mutants, header, text, tests, base, pool):
     """{number: the name of the test that fails, or None} of those that can be compiled at once."""
     with tempfile.TemporaryDirectory(dir=base) as name:
-        folder, candidates = pathlib.Path(name), dict(mutants)
-        while candidates:
-            merged, held = together(text, candidates)
+        folder = pathlib.Path(name)
+
+        def complaint(chosen, only_check):
+            """What the compilers say against all of `chosen` at once."""
             shutil.rmtree(folder / "include", ignore_errors=True)
-            include = include_with(header, merged, folder)
-            complaint = "".join(list(pool.map(lambda test: test.builds(include, folder), tests)))
-            candidates = {k: m for k, m in candidates.items() if k in held}
-            if not complaint:
-                break
-            wrong = {int(n) - 1 for n in re.findall(re.escape(header) + r":(\d+):", complaint)}
-            left = {k: m for k, m in candidates.items() if m[0] not in wrong}
-            candidates = left if len(left) < len(candidates) else {}
-        if candidates and not all(test.passes(folder) for test in tests):
+            include = include_with(header, together(text, chosen)[0], folder)
+            return "".join(pool.map(lambda test: test.builds(include, folder, only_check), tests))
+
+        def lines_of(complaint):
+            return {int(n) - 1 for n in re.findall(re.escape(header) + r":(\d+):", complaint)}
+
+        held = together(text, mutants)[1]
+        candidates, doubtful = {k: m for k, m in mutants.items() if k in held}, {}
+        while candidates and (said := complaint(candidates, True)):
+            wrong = {k for k, m in candidates.items() if m[0] in lines_of(said)} or set(candidates)
+            doubtful.update({k: candidates.pop(k) for k in wrong})
+        # Of a line that is wrong with all of its mutants, one at a time.
+        while doubtful:
+            first_of = {m[0]: k for k, m in reversed(sorted(doubtful.items()))}
+            trial = {k: doubtful.pop(k) for k in first_of.values()}
+            while trial and (said := complaint({**candidates, **trial}, True)):
+                wrong = {k for k, m in trial.items() if m[0] in lines_of(said)} or set(trial)
+                trial = {k: m for k, m in trial.items() if k not in wrong}
+            candidates.update(trial)
+        if not candidates or complaint(candidates, False):
+            return {}
+        if not all(test.passes(folder) for test in tests):
             fail(f"the tests of {header} fail where its mutants are switched off")
 
         def verdict(number):
@@ -358,6 +375,7 @@ def examine(header, test_names, explanations, options):
     if not options.explained:
         score.known = len(known)
         mutants = [m for m in mutants if m not in known]
+    mutants = dict(enumerate(mutants, 1))  # 0 is none
     with tempfile.TemporaryDirectory() as name:
         base = pathlib.Path(name)
         tests = [Test(test, options.build.resolve(), base) for test in test_names]
@@ -365,28 +383,30 @@ def examine(header, test_names, explanations, options):
             if test.builds(ROOT / "include", base) or not test.passes(base):
                 fail(f"{test.name} fails on {header} as it is")
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-            verdicts = judge_together(dict(enumerate(mutants, 1)), header, text, tests, base, pool)
-            alone = [k for k in range(1, len(mutants) + 1) if k not in verdicts]
-            print(f"{header}: {len(verdicts)} mutants at once, {len(alone)} alone", file=sys.stderr, flush=True)
-            each = pool.map(lambda k: judge_alone(mutants[k - 1], header, text, tests, base), alone)
-            for count, (k, verdict) in enumerate(zip(alone, each), 1):
-                verdicts[k] = verdict
-                print(f"\r{count} of {len(alone)}", end="", file=sys.stderr, flush=True)
-            for k, mutant in enumerate(mutants, 1):
-                verdict = verdicts[k]
-                number, old, new = mutant
+            def take(k, verdict):
+                number, old, new = mutants[k]
                 if verdict == "compile":
                     score.broken += 1
                 elif verdict is not None:
                     score.dead += 1
-                elif mutant in known:
+                elif mutants[k] in known:
                     score.known += 1
                 else:
                     score.alive += 1
-                if options.list or (verdict is None and mutant not in known) or (verdict is not None and mutant in known):
+                if options.list or (verdict is None) != (mutants[k] in known):
                     print(f"{header}:{number + 1}: {'SURVIVES' if verdict is None else 'dead, ' + verdict}\n"
                           f"- {same(old)}\n+ {same(new)}", flush=True)
-        print(file=sys.stderr)
+
+            verdicts = judge_together(mutants, header, text, tests, base, pool)
+            for k, verdict in verdicts.items():
+                take(k, verdict)
+            alone = [k for k in mutants if k not in verdicts]
+            print(f"{header}: {len(verdicts)} mutants at once, {len(alone)} alone", file=sys.stderr, flush=True)
+            each = pool.map(lambda k: judge_alone(mutants[k], header, text, tests, base), alone)
+            for count, (k, verdict) in enumerate(zip(alone, each), 1):
+                take(k, verdict)
+                print(f"\r{count} of {len(alone)}", end="", file=sys.stderr, flush=True)
+            print(file=sys.stderr)
     print(f"{header}: {score}. Seed {options.seed}.", flush=True)
     return score
 
