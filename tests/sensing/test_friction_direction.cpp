@@ -91,4 +91,35 @@ TEST_CASE("FrictionDirection: without friction to expect, the last direction sta
   CHECK(run(friction, 0.2, 0.2, 0) == 0);
 }
 
+TEST_CASE("FrictionDirection: what a payload did before it was noticed is taken back", "[friction_direction]") {
+  Friction friction = joint();
+  run(friction, 0.2, 1, -0.5);
+  run(friction, 3, 1, 0);
+  REQUIRE(run(friction, 0.015, 0.9, 0) > -0.7);  // it looks like friction for a while
+  CHECK(friction.update(Vector(0.9), Vector(0.0), kStill, false)[0] < -0.95);
+}
+
+TEST_CASE("FrictionDirection: without friction to expect, the last direction stays while a payload comes as well",
+          "[friction_direction]") {
+  Friction friction = joint(0);
+  run(friction, 0.15, 1, -0.5);
+  for (int k = 0; k < 200; ++k) CHECK(friction.update(Vector(0.9), Vector(0.0), kStill, false)[0] == -1);
+}
+
+TEST_CASE("FrictionDirection: a torque that is there from the first sample on is no change", "[friction_direction]") {
+  Friction friction = joint();
+  for (int k = 0; k < 2; ++k) {
+    CHECK(run(friction, 1, 50, 0) == Approx(0).margin(1e-9));
+    friction.reset();
+  }
+}
+
+TEST_CASE("FrictionDirection: a joint that does not move at all rests, however small the velocity that counts",
+          "[friction_direction]") {
+  Friction friction(1e-3, 0, Vector(0.2));
+  run(friction, 0.2, 1, -1e-9);
+  run(friction, 0.1, 1, 0);
+  CHECK(run(friction, 0.2, 0.9, 0) == Approx(-0.5).margin(1e-6));
+}
+
 }  // namespace

@@ -177,6 +177,53 @@ TEST_CASE("MismatchDetector: bad samples are refused and leave no trace", "[dete
   }
 }
 
+/// A window that begins at 0, stands at `level` in between, and at `last` in its newest 10 ms.
+MismatchDetector<1> after(double level, double last, const MismatchDetectorConfig& config) {
+  MismatchDetector<1> detector(1e-3, config);
+  for (int k = 0; k < 700; ++k) REQUIRE(detector.update(Scalar1(k < 250 ? 0 : k < 690 ? level : last)) == Status::Ok);
+  return detector;
+}
+
+TEST_CASE(
+    "MismatchDetector: a change as large as the threshold is none yet, and means as far apart as theirs have settled",
+    "[detector]") {
+  // (T44): > and <=. Quarters of a newton metre are exact in the sums.
+  MismatchDetectorConfig config = MismatchDetectorConfig::published();
+  config.activation_threshold = 1.25;
+  config.stabilisation_threshold = 0.25;
+  const double step = 1.0 / 1048576;
+  CHECK_FALSE(after(1, 1.25, config).rapid_change());
+  CHECK(after(1, 1.25 + step, config).rapid_change());
+  CHECK(after(1, 1.25, config).stabilised());
+  CHECK_FALSE(after(1, 1.25 + step, config).stabilised());
+}
+
+TEST_CASE("MismatchDetector: after a large change what is left may be its ratio, after a small one the threshold",
+          "[detector]") {
+  MismatchDetectorConfig config;
+  config.stabilisation_threshold = 0.2;
+  config.stabilisation_ratio = 0.05;
+  config.edge_average = 0;
+  CHECK(after(96, 100, config).stabilised());  // 4 N m off, of 5
+  CHECK_FALSE(after(94, 100, config).stabilised());
+  CHECK(after(0.85, 1, config).stabilised());  // 0.15 N m off, of 0.2
+  CHECK_FALSE(after(0.75, 1, config).stabilised());
+}
+
+TEST_CASE("MismatchDetector: a span that rounding would push beyond the window ends with it", "[detector]") {
+  // 10.4 periods are 10 samples; an age of 8.5 and a length of 1.9 are 9 and 2.
+  MismatchDetectorConfig config;
+  config.window = 10.4;
+  config.check_age = {0, 0, 8.5};
+  config.check_average = 1.9;
+  MismatchDetector<1> detector(1, config);
+  for (int k = 0; k < 50; ++k) {
+    REQUIRE(detector.update(Scalar1(5)) == Status::Ok);
+    CHECK(detector.stabilised() == (k >= 9));
+    CHECK_FALSE(detector.rapid_change());
+  }
+}
+
 TEST_CASE("MismatchDetector: a setting out of range is refused by name", "[detector]") {
   MismatchDetectorConfig config;
   config.activation_threshold = std::nan("");
@@ -185,6 +232,34 @@ TEST_CASE("MismatchDetector: a setting out of range is refused by name", "[detec
   config.check_age[2] = 0.6;
   CHECK_THROWS_WITH(MismatchDetector<1>(1e-3, config), contains("check_age"));
   CHECK_THROWS_WITH(MismatchDetector<1>(0), contains("dt"));
+  // A fraction; 1 would call everything settled.
+  for (const double ratio : {-0.1, 1.0, 2.0, std::nan("")}) {
+    config = MismatchDetectorConfig();
+    config.stabilisation_ratio = ratio;
+    CHECK_THROWS_WITH(MismatchDetector<1>(1e-3, config), contains("stabilisation_ratio"));
+  }
+  // At least an oldest and a newest sample, and less than memory for a day.
+  config = MismatchDetectorConfig();
+  CHECK_NOTHROW(MismatchDetector<1>(0.25, config));
+  CHECK_THROWS_WITH(MismatchDetector<1>(0.26, config), contains("::window") && contains("got 1.92"));
+  config.window = 5e6;
+  CHECK_THROWS_WITH(MismatchDetector<1>(0.5, config), contains("::window") && contains("got 10000000.0"));
+  CHECK_THROWS_WITH(MismatchDetector<1>(0.25, config), contains("::window") && contains("got 20000000.0"));
+  // A span may fill the window, and no more; one of 0 s is a single sample.
+  config = MismatchDetectorConfig();
+  config.check_age = {0.48, 0, 0};
+  CHECK_NOTHROW(MismatchDetector<1>(1e-3, config));
+  config.check_age[0] = 0.49;
+  CHECK_THROWS_WITH(MismatchDetector<1>(1e-3, config), contains("check_age") && contains("got 0.51"));
+  config.check_age = {0, 0, 0};
+  for (const double average : {0.0, 0.5}) {
+    config.check_average = average;
+    CHECK_NOTHROW(MismatchDetector<1>(1e-3, config));
+  }
+  for (const double average : {-0.1, 0.6, std::nan("")}) {
+    config.check_average = average;
+    CHECK_THROWS_WITH(MismatchDetector<1>(1e-3, config), contains("check_average"));
+  }
 }
 
 }  // namespace

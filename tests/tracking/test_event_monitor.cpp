@@ -27,6 +27,7 @@ struct Story {
 
 TEST_CASE("EventMonitor: an empty hand is no event, however long", "[event_monitor]") {
   Story story;
+  CHECK_FALSE(story.monitor.changing());
   story.see(Hypothesis::Empty, 500);
   CHECK(story.monitor.last().number == 0);
   CHECK(story.kind() == EventKind::None);
@@ -88,6 +89,78 @@ TEST_CASE("EventMonitor: a payload known for 0.4 s is an event, whatever still d
   pushed.see(Hypothesis::Empty, 50).see(Hypothesis::Pushed, 500);
   CHECK(pushed.monitor.changing());
   CHECK(pushed.monitor.last().number == 0);
+}
+
+TEST_CASE("EventMonitor: a change that is only as likely as none is none", "[event_monitor]") {
+  rme::EventMonitor<double> monitor;
+  monitor.update({{0.5, 0, 0, 0.5, 0}}, 0, kBlock, kBlock, 0.5, 0.5);
+  CHECK_FALSE(monitor.changing());
+  monitor.update({{0.4999, 0, 0, 0.5001, 0}}, kBlock, 2 * kBlock, 2 * kBlock, 0.5, 0.5);
+  CHECK(monitor.changing());
+}
+
+TEST_CASE("EventMonitor: for 0.4 s sharp a payload has not been known for longer than that", "[event_monitor]") {
+  rme::EventMonitor<double> monitor;
+  const auto see = [&](Hypothesis likeliest, double begin, double end) {
+    rme::PerHypothesis<double> probability;
+    probability[likeliest] = 1;
+    monitor.update(probability, begin, end, end, 1, 0.001);
+  };
+  see(Hypothesis::Exchanged, 0, 0.4);
+  see(Hypothesis::Filling, 0.4, 0.8);  // 0.8 - 0.4 is 0.4 to the last bit
+  CHECK(monitor.changing());
+  see(Hypothesis::Filling, 0.8, 0.82);
+  CHECK(monitor.last().kind == EventKind::Attached);
+}
+
+/// A hand that holds `mass`, known to `deviation`, after a second with an empty one.
+Story holding(double mass, double deviation) {
+  Story story;
+  story.see(Hypothesis::Empty, 50);
+  story.see(Hypothesis::Exchanged, 3, mass, deviation).see(Hypothesis::Steady, 20, mass, deviation);
+  REQUIRE(story.monitor.last().number == 1);
+  return story;
+}
+
+TEST_CASE(
+    "EventMonitor: another mass counts from a fiftieth of the mass on, and from three doubts about the difference",
+    "[event_monitor]") {
+  const auto kind = [](double before, double after, double doubt_before, double doubt_after) {
+    Story story = holding(before, doubt_before);
+    story.see(Hypothesis::Exchanged, 2, after, doubt_after).see(Hypothesis::Steady, 20, after, doubt_after);
+    return story.monitor.last().number == 1 ? EventKind::None : story.kind();
+  };
+  // 60 g of 3 kg, known to 1 g.
+  CHECK(kind(3, 3.05, 0.001, 0.001) == EventKind::None);
+  CHECK(kind(3, 3.07, 0.001, 0.001) == EventKind::Exchanged);
+  CHECK(kind(3, 2.93, 0.001, 0.001) == EventKind::Exchanged);
+  // 10 g of doubt before and after are 14 about the difference.
+  CHECK(kind(1, 1.03, 0.01, 0.01) == EventKind::None);
+  CHECK(kind(1, 1.05, 0.01, 0.01) == EventKind::Exchanged);
+  // 3, 4 and 5 eighths: exactly three doubts are no other payload.
+  CHECK(kind(4, 4 + 1.875, 0.375, 0.5) == EventKind::None);
+  CHECK(kind(4, 4 + 1.876, 0.375, 0.5) == EventKind::Exchanged);
+}
+
+TEST_CASE("EventMonitor: a mass that is another one after a push, or after a hand-over that drifted, is an exchange",
+          "[event_monitor]") {
+  Story pushed = holding(1, 0.001);
+  pushed.see(Hypothesis::Pushed, 10, 1).see(Hypothesis::Steady, 20, 1.5);
+  CHECK(pushed.kind() == EventKind::Exchanged);
+  Story drifted = holding(1, 0.001);
+  drifted.see(Hypothesis::Exchanged, 2, 1.4).see(Hypothesis::Filling, 5, 1.45).see(Hypothesis::Steady, 20, 1.5);
+  CHECK(drifted.kind() == EventKind::Exchanged);
+}
+
+TEST_CASE("EventMonitor: what still drifts after an event is compared with what that event found", "[event_monitor]") {
+  // Known for 0.4 s, the payload has been attached; drifting ends with the same mass.
+  Story story;
+  story.see(Hypothesis::Empty, 50).see(Hypothesis::Exchanged, 1, 1.0).see(Hypothesis::Filling, 30, 1.0);
+  REQUIRE(story.kind() == EventKind::Attached);
+  REQUIRE(story.monitor.changing());
+  story.see(Hypothesis::Steady, 20, 1.0);
+  CHECK_FALSE(story.monitor.changing());
+  CHECK(story.monitor.last().number == 1);
 }
 
 TEST_CASE("EventMonitor: what the host says is no event", "[event_monitor]") {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <random>
 #include <rme/tracking/joint_torque_model.hpp>
 
 #include "support/catch.hpp"
@@ -19,17 +20,19 @@ const rme::ArmPrior<double, kDofs> kArm = {Joints(0.1, 0.2), Joints(0.3, 0.4), J
 /// A model that is shown one block after another.
 struct Scene {
   explicit Scene(Sensing sensing) : model(sensing, kArm, 0.01), star(model.prior()) {}
-  void block(const Joints& velocity, double tau = 0) {
+  void block(const Joints& velocity, double tau = 0) { block(velocity, Joints(Joints::Constant(tau))); }
+  void block(const Joints& velocity, const Joints& tau, const Joints& torque_step = Joints::Zero()) {
     Block block;
     block.duration = 0.02;
     block.samples = 20;
-    block.tau.setConstant(tau);
+    block.tau = tau;
     block.regressor.setZero();
+    block.regressor(1, 3) = 0.7;
     block.jacobian.setZero();
     block.rotation.setIdentity();
     block.velocity = velocity;
     block.velocities = velocity.replicate<1, rme::kBlockParts>();
-    block.torque_step.setZero();
+    block.torque_step = torque_step;
     block.velocity_noise.setZero();
     regime.update(block);
     model.begin(block, regime);
@@ -118,6 +121,271 @@ TEST_CASE("JointTorqueModel: noise of dq is noise of the inertia force, in propo
   // (m J)^2 of the slope's variance, 12 / (n T^2) J^2 sigma^2; shared by three axes, 2.5 times that.
   CHECK(held == Approx(2 * 2 * 0.25 * (2.5 * 12 / 20 / 4e-4 * 0.25 * 1e-6 / 3)));
   CHECK(model.observation(1, 2).noise == Approx(model.observation(1, 0).noise));
+}
+
+constexpr int kNuisances = rme::kJointNuisances;
+using Beta = rme::JointNuisanceVector<double>;
+using BetaMatrix = rme::JointNuisanceMatrix<double>;
+
+/// Every number of every joint is another one.
+rme::StarGaussian<double, kDofs> any_star(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  const auto draw = [&] { return normal(random); };
+  rme::StarGaussian<double, kDofs> star;
+  for (int j = 0; j < kDofs; ++j) {
+    const BetaMatrix L = BetaMatrix::NullaryExpr(draw);
+    star.joint(j).mean = Beta::NullaryExpr(draw);
+    star.joint(j).slope = star.joint(j).slope.NullaryExpr(draw);
+    star.joint(j).covariance = L * L.transpose();
+  }
+  return star;
+}
+
+/// Nuisances live on by beta <- F beta + N(0, Q); the definition of a star says what becomes of its three parts.
+struct Life {
+  BetaMatrix F = BetaMatrix::Identity(), Q = BetaMatrix::Zero();
+};
+void check_life(const rme::StarGaussian<double, kDofs>& before, const rme::StarGaussian<double, kDofs>& after, int j,
+                const Life& life) {
+  CAPTURE(j);
+  const auto& [mean, slope, covariance] = before.joint(j);
+  CHECK((after.joint(j).mean - life.F * mean).norm() < 1e-12);
+  CHECK((after.joint(j).slope - slope * life.F.transpose()).norm() < 1e-12);
+  CHECK((after.joint(j).covariance - life.F * covariance * life.F.transpose() - life.Q).norm() < 1e-12);
+}
+
+constexpr double kPeriod = 0.02;  // [s]
+
+/// What (T24) says of the residual, and what drifts by 2e-4 N m of the arm's scale, or by 1e-4 of itself.
+Life life_of(const Scene& scene, int j, Sensing sensing, double speed, double turned = 0) {
+  Life life;
+  const double keep = std::exp(-speed * kPeriod / (sensing == Sensing::RoughModel ? 1.2 : 0.7)) * std::exp(-turned);
+  life.F(rme::kResidual, rme::kResidual) = keep;
+  life.Q(rme::kResidual, rme::kResidual) = (1 - keep * keep) * scene.model.noise().residual_variance(j);
+  life.Q(rme::kOffset, rme::kOffset) = std::pow(2e-4 * kArm.residual[j], 2);
+  if (sensing == Sensing::LinkSide) return life;
+  life.Q(rme::kCoulomb, rme::kCoulomb) = std::pow(1e-4 * kArm.coulomb[j], 2);
+  life.Q(rme::kViscous, rme::kViscous) = std::pow(1e-4 * kArm.viscous[j], 2);
+  return life;
+}
+void hold(Life& life, double share, double variance) {
+  life.F(rme::kStiction, rme::kStiction) = share;
+  life.Q(rme::kStiction, rme::kStiction) = (1 - share * share) * variance;
+}
+
+TEST_CASE("JointTorqueModel: a moving arm's nuisances live on as theory says, in any star", "[joint_torque]") {
+  const unsigned seed = 700;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (const Sensing sensing : {Sensing::LinkSide, Sensing::JointFriction}) {
+    Scene scene(sensing);
+    const auto before = scene.star = any_star(random);
+    scene.block(Joints(3, -4));
+    for (int j = 0; j < kDofs; ++j) check_life(before, scene.star, j, life_of(scene, j, sensing, 5));
+  }
+}
+
+TEST_CASE("JointTorqueModel: what holds a resting joint wanders while others move, and stays while none does",
+          "[joint_torque]") {
+  const unsigned seed = 701;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  Scene scene(Sensing::JointFriction);
+  auto before = scene.star = any_star(random);
+  scene.block(Joints(0, 0.5));
+  Life life = life_of(scene, 0, Sensing::JointFriction, 0.5);
+  hold(life, std::exp(-kPeriod / 20), std::pow(0.6 * kArm.coulomb[0], 2));
+  check_life(before, scene.star, 0, life);
+  CHECK(scene.model.stiction_jump(0) == Approx(std::pow(1.5 * kArm.coulomb[0], 2)));
+  CHECK(scene.model.stiction_jump(1) == 0);  // it moves
+
+  Scene still(Sensing::JointFriction);
+  before = still.star = any_star(random);
+  still.block(Joints::Zero());
+  for (int j = 0; j < kDofs; ++j) {
+    check_life(before, still.star, j, life_of(still, j, Sensing::JointFriction, 0));
+    CHECK(still.model.stiction_jump(j) == 0);
+  }
+  Scene behind(Sensing::LinkSide);
+  behind.block(Joints(0, 0.5));
+  CHECK(behind.model.stiction_jump(0) == 0);
+}
+
+TEST_CASE("JointTorqueModel: a joint that stops is held by 0.95 of its friction, and shares what is known of that",
+          "[joint_torque]") {
+  const unsigned seed = 702;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  Scene scene(Sensing::JointFriction);
+  scene.block(Joints(-0.5, 0.5));
+  const auto before = scene.star = any_star(random);
+  scene.block(Joints(0, 0.5));
+  Life life = life_of(scene, 0, Sensing::JointFriction, 0.5);
+  life.F(rme::kStiction, rme::kStiction) = 0;
+  life.F(rme::kStiction, rme::kCoulomb) = 0.95;  // it moved backwards, so that friction pointed forwards
+  // What drifted this block has drifted in both.
+  life.Q.row(rme::kStiction) = 0.95 * life.Q.row(rme::kCoulomb);
+  life.Q.col(rme::kStiction) = 0.95 * life.Q.col(rme::kCoulomb);
+  life.Q(rme::kStiction, rme::kStiction) =
+      0.95 * 0.95 * life.Q(rme::kCoulomb, rme::kCoulomb) + std::pow(0.15 * before.joint(0).mean[rme::kCoulomb], 2);
+  check_life(before, scene.star, 0, life);
+  check_life(before, scene.star, 1, life_of(scene, 1, Sensing::JointFriction, 0.5));
+}
+
+TEST_CASE("JointTorqueModel: a rough arm's joint that turns forgets its residual and half as fast what held it",
+          "[joint_torque]") {
+  const unsigned seed = 703;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (const double last : {0.2, 0.0}) {  // slower, or at rest
+    Scene scene(Sensing::RoughModel);
+    scene.block(Joints(0.5, 0));
+    const auto before = scene.star = any_star(random);
+    scene.block(Joints(last, -0.15));
+    const double turned[] = {0.5 / 0.55 - last / (last + 0.05), 0.15 / 0.2};  // changes of v / (|v| + 0.05)
+    for (int j = 0; j < kDofs; ++j) {
+      Life life = life_of(scene, j, Sensing::RoughModel, std::hypot(last, 0.15), turned[j]);
+      hold(life, std::exp(-kPeriod / 2 - 0.5 * turned[j]),
+           std::pow(0.6 * kArm.coulomb[j], 2) + 16 * scene.model.noise().residual_variance(j));
+      check_life(before, scene.star, j, life);
+    }
+  }
+}
+
+TEST_CASE("JointTorqueModel: the prior is the arm's, friction give or take half of it", "[joint_torque]") {
+  for (const Sensing sensing : {Sensing::LinkSide, Sensing::JointFriction, Sensing::RoughModel}) {
+    const Model model(sensing, kArm, 0.01);
+    const auto star = model.prior();
+    const bool friction = sensing != Sensing::LinkSide;
+    for (int j = 0; j < kDofs; ++j) {
+      Beta mean = Beta::Zero(), variance = Beta::Zero();
+      variance[rme::kOffset] = std::pow(kArm.offset[j], 2);
+      if (friction) {
+        mean[rme::kCoulomb] = kArm.coulomb[j];
+        mean[rme::kViscous] = kArm.viscous[j];
+        variance[rme::kCoulomb] = std::pow(kArm.coulomb[j] / 2, 2);
+        variance[rme::kViscous] = std::pow(kArm.viscous[j] / 2, 2);
+        variance[rme::kStiction] = std::pow(0.6 * kArm.coulomb[j], 2);
+      }
+      if (sensing == Sensing::RoughModel) variance[rme::kStiction] += 16 * model.noise().residual_variance(j);
+      CHECK(star.joint(j).mean == mean);
+      CHECK((star.joint(j).covariance - BetaMatrix(variance.asDiagonal())).norm() < 1e-14);
+    }
+    CHECK(model.rough() == (sensing == Sensing::RoughModel));
+  }
+}
+
+TEST_CASE("JointTorqueModel: reopening forgets the residual altogether, and of the offset how sure it was",
+          "[joint_torque]") {
+  const unsigned seed = 704;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const Model model(Sensing::RoughModel, kArm, 0.01);
+  const auto before = any_star(random);
+  auto star = before;
+  model.reopen_residual(star);
+  for (int j = 0; j < kDofs; ++j) {
+    Life life;
+    life.F(rme::kResidual, rme::kResidual) = 0;
+    life.Q(rme::kResidual, rme::kResidual) = model.noise().residual_variance(j);
+    check_life(before, star, j, life);
+  }
+  star = before;
+  model.reopen_offset(star);
+  for (int j = 0; j < kDofs; ++j) {
+    Life life;
+    life.Q(rme::kOffset, rme::kOffset) = std::pow(kArm.offset[j], 2);
+    check_life(before, star, j, life);
+  }
+}
+
+TEST_CASE("JointTorqueModel: what 0.6 ms of the torque's change make, and what its steps hide, is noise",
+          "[joint_torque]") {
+  Scene scene(Sensing::LinkSide);
+  scene.block(Joints::Zero(), Joints(5, 5));  // the first block has no predecessor
+  for (int j = 0; j < kDofs; ++j) {
+    CHECK(scene.model.observation(j, 0).noise == scene.model.noise().variance(j));
+    CHECK(scene.model.observation(j, 0).torque == 5);
+  }
+  CHECK(scene.model.observation(1, 0).h == rme::InertialVector<double>::Unit(3) * 0.7);
+  scene.block(Joints::Zero(), Joints(7, -5), Joints(0.1, 0.2));
+  for (int j = 0; j < kDofs; ++j) {
+    const double change = j == 0 ? 2 : -10, step = j == 0 ? 0.1 : 0.2;
+    CHECK(scene.model.observation(j, 0).noise - scene.model.noise().variance(j) ==
+          Approx(std::pow(0.03 * change, 2) + 0.3 * step * step));
+  }
+}
+
+TEST_CASE("JointTorqueModel: a joint that starts or turns back within a block has half its friction more noise",
+          "[joint_torque]") {
+  Scene scene(Sensing::JointFriction);
+  Block block;
+  block.duration = kPeriod;
+  block.samples = 20;
+  block.tau.setZero();
+  block.regressor.setZero();
+  block.jacobian.setZero();
+  block.velocity << 0, 0.3;
+  block.velocities << 0.3, 0.3, -0.3, -0.3, 0.3, 0.3, 0.3, 0.3;
+  block.torque_step.setZero();
+  block.velocity_noise.setZero();
+  scene.regime.update(block);
+  scene.model.begin(block, scene.regime);
+  CHECK(scene.model.observation(0, 0).noise - scene.model.noise().variance(0) ==
+        Approx(std::pow(kArm.coulomb[0] / 2, 2)));
+  CHECK(scene.model.observation(1, 0).noise == scene.model.noise().variance(1));
+}
+
+TEST_CASE(
+    "JointTorqueModel: noise of a rough arm's joint that has turned fades within 0.2 s, and is larger the slower it is",
+    "[joint_torque]") {
+  Scene scene(Sensing::RoughModel);
+  const auto turning = [&](int j) {
+    const auto o = scene.model.observation(j, 0);
+    const double residual = scene.model.noise().residual_variance(j);
+    return (o.noise - scene.model.noise().variance(j)) / (residual * (3 + 20 * o.c[rme::kStiction]));
+  };
+  scene.block(Joints(0.3, 0));
+  CHECK(turning(0) == 0);  // the first block has no predecessor
+  scene.block(Joints(-0.3, 0.002));
+  CHECK(turning(0) == Approx(1));  // a reversal is a change of 1.71; more than 1 does not count
+  CHECK(turning(1) == Approx(0.002 / 0.052));
+  scene.block(Joints(-0.3, 0.002));
+  CHECK(turning(0) == Approx(std::exp(-0.1)));
+  scene.block(Joints(-0.3, 0.002));
+  CHECK(turning(0) == Approx(std::exp(-0.2)));
+  CHECK(turning(1) == Approx(0.002 / 0.052 * std::exp(-0.2)));
+}
+
+TEST_CASE("JointTorqueModel: noise of dq turns the payload as well, and of a few samples it is that of two ends",
+          "[joint_torque]") {
+  // (T25): 2.5 min(2, 12 / n) / T^2 times the mean over the axes of J var(dq) J^T is the variance of the flange's
+  // acceleration. A kilogram turns it into J^T a and, at the root of 0.01 m^2 from it, into moments: of its weight on
+  // that arm, and of the angular acceleration.
+  Block block;
+  block.duration = 0.04;
+  block.tau.setZero();
+  block.regressor.setZero();
+  block.jacobian << 0.1, 0.4, 0.2, 0.5, -0.1, 0.1, 0.3, 0.2, -0.3, 0.7, 0.6, 0.8;
+  block.velocity.setZero();
+  block.velocities.setZero();
+  block.torque_step.setZero();
+  block.velocity_noise = Joints(1e-6, 4e-6);
+  const auto linear = block.jacobian.topRows<3>(), angular = block.jacobian.bottomRows<3>();
+  const double arm = 0.01;
+  for (const int samples : {0, 1, 4, 10, 40}) {
+    CAPTURE(samples);
+    block.samples = samples;
+    Model model(Sensing::LinkSide, kArm, arm);
+    model.begin(block, Regime());
+    const double share = 2.5 * (samples <= 6 ? 2 : 12.0 / samples) / (0.04 * 0.04) / 3;
+    const double a = share * (linear * block.velocity_noise.asDiagonal() * linear.transpose()).trace();
+    const double turn = share * (angular * block.velocity_noise.asDiagonal() * angular.transpose()).trace();
+    for (int j = 0; j < kDofs; ++j)
+      CHECK(
+          model.observation(j, 3).noise - model.noise().variance(j) ==
+          Approx(9 * (a * linear.col(j).squaredNorm() + (a * arm + turn * arm * arm) * angular.col(j).squaredNorm())));
+  }
 }
 
 }  // namespace

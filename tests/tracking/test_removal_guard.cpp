@@ -65,9 +65,11 @@ TEST_CASE("RemovalGuard: what comes back is carried again, and too little to be 
   REQUIRE(guard.share() < 1e-6);
   for (int k = 0; k < 100; ++k) guard.update(weight() + kBesides, weight(), kPeriod);
   CHECK(guard.share() == Approx(1));
-  // 0.29 N m in all.
+  // 0.29 N m in all, and then 0.31.
   for (int k = 0; k < 100; ++k) guard.update(kBesides, 0.29 * weight().normalized(), kPeriod);
   CHECK(guard.share() == 1);
+  guard.update(kBesides, 0.31 * weight().normalized(), kPeriod);
+  CHECK(guard.share() < 1e-6);
 }
 
 }  // namespace

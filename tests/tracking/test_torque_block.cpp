@@ -322,4 +322,112 @@ TEST_CASE("BlockAverager: after clear() the next sample is a first one", "[block
   CHECK(averager.block().velocity.isZero(0));
 }
 
+TEST_CASE("BlockAverager: each quarter of a block has its own velocity, and its own motion in the regressor",
+          "[block]") {
+  // (T9) sample by sample: weights 6 s (1 - s), velocity of the flange the mean of a period's two ends, acceleration
+  // the weighted changes; the regressor is that of each quarter, by its weight.
+  const unsigned seed = 528;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> u(-1, 1);
+  Averager averager(0, kGravity, Averager::kDuration);
+  Sample s = at_rest();
+  Eigen::Matrix<double, 6, 1> last;
+  Eigen::Matrix<double, kDofs, rme::kInertial> expected = decltype(expected)::Zero();
+  Eigen::Matrix<double, kDofs, rme::kBlockParts> velocities = decltype(velocities)::Zero();
+  double total = 0, weight = 0;
+  rme::FlangeMotion<double> motion;
+  for (int k = 0; k <= 20; ++k) {
+    s.dq = Joints(u(random), u(random), u(random));
+    s.rotation = Eigen::AngleAxisd(0.1 * k, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    const Eigen::Matrix<double, 6, 1> twist = s.jacobian * s.dq;
+    if (k > 0) {
+      const double along = (k - 0.5) / 20, shape = std::max(0.05, 6 * along * (1 - along));
+      weight += 1e-3 * shape;
+      motion.linear_acceleration += shape * (twist - last).head<3>();
+      motion.angular_acceleration += shape * (twist - last).tail<3>();
+      motion.angular_velocity += 1e-3 * shape * (twist + last).tail<3>() / 2;
+      velocities.col((k - 1) / 5) += s.dq / 5;
+    }
+    last = twist;
+    if (k > 0 && k % 5 == 0) {
+      const rme::FlangeMotion<double> mean{motion.angular_velocity / weight, motion.linear_acceleration / weight,
+                                           motion.angular_acceleration / weight};
+      expected += weight * s.jacobian.transpose() * rme::inertial_wrench_regressor<double>(s.rotation, kGravity, mean);
+      total += weight;
+      weight = 0;
+      motion = rme::FlangeMotion<double>();
+    }
+    averager.add(s, 1e-3, 1e-3 * k);
+  }
+  CHECK((averager.block().regressor - expected / total).norm() < 1e-10 * expected.norm());
+  CHECK((averager.block().velocities - velocities).norm() < 1e-12);
+}
+
+/// The variance of dq that an averager of one joint's velocities has learned.
+template <typename Velocity>
+double learned_noise(Averager& averager, int blocks, Velocity&& velocity, double dt = 1e-3) {
+  Sample s = at_rest();
+  for (int k = 0; blocks > 0; ++k) {
+    s.dq[0] = velocity(k);
+    if (averager.add(s, dt, dt * k)) --blocks;
+  }
+  return averager.block().velocity_noise[0];
+}
+
+TEST_CASE("BlockAverager: what counts as noise of dq begins with the first second difference", "[block]") {
+  // 1e-8 to begin with, of which a fiftieth goes in a block.
+  Averager steady(0, kGravity, Averager::kDuration);
+  CHECK(learned_noise(steady, 1, [](int k) { return 0.01 * k; }) == Approx(0.98e-8));
+  steady.clear();  // from another velocity: a new life has no differences yet
+  CHECK(learned_noise(steady, 1, [](int k) { return 3 - 0.02 * k; }) == Approx(0.98 * 0.98e-8));
+  // A zigzag of +-a has second differences of 4 a, which white noise of variance 16 a^2 / 6 has as well.
+  const double a = 2e-5;
+  Averager zigzag(0, kGravity, Averager::kDuration);
+  CHECK(learned_noise(zigzag, 1, [=](int k) { return k % 2 == 0 ? a : -a; }) ==
+        Approx(0.98e-8 + 0.02 * 16 * a * a / 6).epsilon(1e-9));
+}
+
+TEST_CASE("BlockAverager: a host so slow that a block is one sample learns no noise from the first", "[block]") {
+  Averager averager(0, kGravity);
+  const double noise = learned_noise(
+      averager, 1, [](int) { return 0.1; }, 0.02);
+  CHECK(noise == Approx(1e-8));
+}
+
+TEST_CASE("BlockAverager: noise of dq is learned after a long time without any, and one wild sample is none",
+          "[block]") {
+  const unsigned seed = 529;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  Averager averager(0, kGravity, Averager::kDuration);
+  CHECK(learned_noise(averager, 1000, [](int) { return 0.1; }) < 1e-15);
+  double least = 1;
+  for (int k = 0; k < 20; ++k)
+    least = std::min(least, learned_noise(averager, 20, [&](int) { return 1e-3 * normal(random); }));
+  CHECK(least > 0);
+  const double noise = averager.block().velocity_noise[0];
+  CHECK(noise == Approx(1e-6).epsilon(0.2));
+  // One block counts a fiftieth, and no more than 25 times what is known.
+  CHECK(learned_noise(averager, 1, [&](int k) { return k == 10 ? 1.0 : 1e-3 * normal(random); }) < 1.5 * noise);
+}
+
+TEST_CASE("BlockAverager: noise of a joint that only turns the flange makes no block longer", "[block]") {
+  // The payload's weight is regressed on the flange's linear acceleration.
+  const unsigned seed = 530;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  Averager averager(0, kGravity);
+  Sample s;
+  s.jacobian.setZero();
+  s.jacobian.col(0).tail<3>() << 3, 3, 3;
+  for (int k = 0; k <= 4000; ++k) {
+    s.dq[0] = 2e-2 * normal(random);
+    averager.add(s, 1e-3, 1e-3 * k);
+  }
+  CHECK(averager.block().duration == Approx(0.02).epsilon(1e-6));
+}
+
 }  // namespace

@@ -1,0 +1,201 @@
+// The way that ActiveSetSolver takes: what enters first, what it begins with, and what rounding must not start.
+#include <random>
+#include <rme/control/active_set_solver.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using Vector2 = Eigen::Vector2d;
+using Solver2 = rme::ActiveSetSolver<double, 2, 8>;
+const Vector2 kFar = Vector2::Constant(1e6);
+const Eigen::Matrix2d kIdentity = Eigen::Matrix2d::Identity();
+
+TEST_CASE("ActiveSetSolver: the constraint that is furthest away enters first, whatever the scale of its row", "[qp]") {
+  // x >= far and scale x >= scale near: with the far one both hold, after one change; the near one first would be two.
+  for (const double scale : {0.01, 1.0, 100.0}) {
+    for (const bool first : {false, true}) {
+      CAPTURE(scale, first);
+      Solver2 solver;
+      Solver2::Rows rows;
+      if (first) REQUIRE(rows.add(Vector2(1, 0), 2) == rme::Status::Ok);
+      REQUIRE(rows.add(Vector2(scale, 0), 1.9 * scale) == rme::Status::Ok);
+      if (!first) REQUIRE(rows.add(Vector2(1, 0), 2) == rme::Status::Ok);
+      REQUIRE(solver.solve(kIdentity, Vector2::Zero(), rows, -kFar, kFar) == rme::Status::Ok);
+      CHECK(solver.iterations() == 1);
+      CHECK(solver.solution() == Vector2(2, 0));
+    }
+  }
+  // A side of the box counts as its row would.
+  for (const auto& [box, row] : {std::pair(2.0, 1.9), std::pair(1.9, 2.0)}) {
+    CAPTURE(box);
+    Solver2 solver;
+    Solver2::Rows rows;
+    REQUIRE(rows.add(Vector2(10, 0), 10 * row) == rme::Status::Ok);
+    REQUIRE(solver.solve(kIdentity, Vector2::Zero(), rows, Vector2(box, -5), kFar) == rme::Status::Ok);
+    CHECK(solver.iterations() == 1);
+    CHECK((solver.solution() - Vector2(2, 0)).norm() < 1e-15);
+  }
+}
+
+TEST_CASE("ActiveSetSolver: the same problem again needs no change of the active set, sides of the box included",
+          "[qp]") {
+  for (const double metric : {1e-6, 1.0, 1e6}) {
+    CAPTURE(metric);
+    Solver2 solver;
+    Solver2::Rows rows;
+    REQUIRE(rows.add(Vector2(0.1, 1), 3) == rme::Status::Ok);
+    const Eigen::Matrix2d P = metric * kIdentity;
+    for (int k = 0; k < 3; ++k) {
+      REQUIRE(solver.solve(P, Vector2::Zero(), rows, Vector2(1, -5), kFar) == rme::Status::Ok);
+      CHECK((solver.solution() - Vector2(1, 2.9)).norm() < 1e-14);
+      CHECK(solver.active_count() == 2);
+      CHECK(solver.iterations() == (k == 0 ? 2 : 0));
+    }
+  }
+}
+
+TEST_CASE("ActiveSetSolver: of the active set before, what has lost its bound or has become a copy is left out",
+          "[qp]") {
+  Solver2 solver;
+  Solver2::Rows rows;
+  REQUIRE(rows.add(Vector2(1, 0), 1) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector2(0, 1), 2) == rme::Status::Ok);
+  REQUIRE(solver.solve(kIdentity, Vector2::Zero(), rows, -kFar, kFar) == rme::Status::Ok);
+  REQUIRE(solver.active_count() == 2);
+  Solver2 other = solver;
+  rows.clear();
+  REQUIRE(rows.add(Vector2(1, 0), -rows.kFree, 5) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector2(0, 1), 2) == rme::Status::Ok);
+  REQUIRE(solver.solve(kIdentity, Vector2::Zero(), rows, -kFar, kFar) == rme::Status::Ok);
+  CHECK(solver.solution() == Vector2(0, 2));
+  CHECK(solver.active_count() == 1);
+  rows.clear();
+  REQUIRE(rows.add(Vector2(3, 1), 10) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector2(3, 1), 10) == rme::Status::Ok);
+  REQUIRE(other.solve(kIdentity, Vector2::Zero(), rows, -kFar, kFar) == rme::Status::Ok);
+  CHECK((other.solution() - Vector2(3, 1)).norm() < 1e-14);
+  CHECK(other.active_count() == 1);
+}
+
+TEST_CASE("ActiveSetSolver: as many constraints as there are may be active, and leave again", "[qp]") {
+  // x + s >= 3 softly, x <= 1: both push. With more room s = lambda / (2 w), x = lambda: x = 3 / (1 + 1 / (2 w)) = 2.
+  using Solver1 = rme::ActiveSetSolver<double, 1, 1>;
+  using Vector1 = Solver1::Vector;
+  Solver1 solver;
+  Solver1::Rows rows;
+  REQUIRE(rows.add(Vector1(1), 3, rows.kFree, 1) == rme::Status::Ok);
+  const Solver1::Matrix P = Solver1::Matrix::Identity();
+  for (const double room : {1.0, 10.0, 1.0}) {
+    REQUIRE(solver.solve(P, Vector1::Zero(), rows, Vector1(-5), Vector1(room)) == rme::Status::Ok);
+    CHECK(solver.solution()[0] == Approx(std::min(room, 2.0)).epsilon(1e-15));
+    CHECK(solver.active_count() == (room < 2 ? 2 : 1));
+  }
+}
+
+TEST_CASE("ActiveSetSolver: soft rows leave room for as many hard ones as there are dimensions", "[qp]") {
+  // Without the hard row x = y = 2, a third of the way short of 3; x + y >= 5 takes both to 2.5.
+  Solver2 solver;
+  Solver2::Rows rows;
+  REQUIRE(rows.add(Vector2(1, 0), 3, rows.kFree, 1) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector2(0, 1), 3, rows.kFree, 1) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector2(1, 1), 5) == rme::Status::Ok);
+  // The soft ones first: the hard one is the nearest.
+  REQUIRE(solver.solve(kIdentity, Vector2(0.1, 0), rows, -kFar, kFar) == rme::Status::Ok);
+  CHECK(solver.iterations() == 3);
+  CHECK(solver.active_count() == 3);
+  CHECK(solver.solution().sum() == Approx(5).epsilon(1e-14));
+}
+
+TEST_CASE("ActiveSetSolver: rounding far from where it began is no violation", "[qp]") {
+  // Rows through the origin that hold by rounding only, copied at many scales, a thousand metres from x_u = 0.
+  const unsigned seed = 4010;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.1, 10);
+  for (int k = 0; k < 300; ++k) {
+    CAPTURE(k);
+    Solver2 solver;
+    Solver2::Rows rows;
+    const Vector2 a(uniform(random), -uniform(random));
+    REQUIRE(rows.add(Vector2(1, 0), 1000 * uniform(random)) == rme::Status::Ok);
+    for (int copy = 0; copy < 6; ++copy) REQUIRE(rows.add(uniform(random) * a, -rows.kFree, 0) == rme::Status::Ok);
+    REQUIRE(solver.solve(kIdentity, Vector2::Zero(), rows, -kFar, kFar) == rme::Status::Ok);
+    CHECK(solver.iterations() <= 3);
+    CHECK(solver.active_count() == 2);
+  }
+}
+
+TEST_CASE("ActiveSetSolver: steps are short on the way: what leaves the active set seldom comes back", "[qp]") {
+  // Twenty rows in six dimensions, from nothing. A solver that overshoots, or takes in what is near first, gets there
+  // as well, with more changes.
+  const unsigned seed = 4011;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  using Solver = rme::ActiveSetSolver<double, 6, 20>;
+  int changes = 0, active = 0;
+  for (int k = 0; k < 500; ++k) {
+    Solver solver;
+    Solver::Rows rows;
+    const Solver::Matrix L = Solver::Matrix::NullaryExpr([&] { return normal(random); });
+    const Solver::Matrix P = L * L.transpose() + 0.1 * Solver::Matrix::Identity();
+    for (int i = 0; i < 20; ++i) {
+      const Solver::Vector a = Solver::Vector::NullaryExpr([&] { return normal(random); });
+      REQUIRE(rows.add(a, -1 + 0.2 * normal(random)) == rme::Status::Ok);
+    }
+    const Solver::Vector x_u = Solver::Vector::NullaryExpr([&] { return 5 * normal(random); });
+    const Solver::Vector far = Solver::Vector::Constant(100);
+    REQUIRE(solver.solve(P, x_u, rows, -far, far) == rme::Status::Ok);
+    changes += solver.iterations();
+    active += solver.active_count();
+  }
+  CAPTURE(changes, active);
+  CHECK(changes < 1.68 * active);  // it is 1.64
+}
+
+TEST_CASE("ActiveSetSolver: in float Ok means what it says, however ill the metric", "[qp]") {
+  // P over eight decades, rows that the metric makes nearly parallel: the double solver says what is right.
+  const unsigned seed = 4012;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  using Wide = rme::ActiveSetSolver<double, 3, 6>;
+  using Narrow = rme::ActiveSetSolver<float, 3, 6>;
+  int solved = 0;
+  for (int k = 0; k < 2000; ++k) {
+    CAPTURE(k);
+    Wide wide;
+    Narrow narrow;
+    Wide::Rows rows;
+    Narrow::Rows same;
+    Eigen::Vector3d scale;
+    for (int i = 0; i < 3; ++i) scale[i] = std::pow(10.0, 2 * uniform(random));
+    Narrow::Root root = Narrow::Root::Zero();
+    root.topRows<3>() =
+        (scale.asDiagonal() * Eigen::Matrix3d::NullaryExpr([&] { return normal(random); })).cast<float>();
+    Wide::Root wide_root = root.cast<double>();
+    for (int i = 0; i < 5; ++i) {
+      const Eigen::Vector3f a = Eigen::Vector3f::NullaryExpr([&] { return float(normal(random)); });
+      const auto bound = float(-0.2 + 0.5 * normal(random));
+      REQUIRE(rows.add(a.cast<double>(), double(bound)) == rme::Status::Ok);
+      REQUIRE(same.add(a, bound) == rme::Status::Ok);
+    }
+    const Eigen::Vector3f x_u = Eigen::Vector3f::NullaryExpr([&] { return float(normal(random)); });
+    const Eigen::Vector3f far = Eigen::Vector3f::Constant(100);
+    const rme::Status right =
+        wide.solve_from_root(wide_root, x_u.cast<double>(), rows, -far.cast<double>(), far.cast<double>());
+    if (right != rme::Status::Ok) continue;
+    REQUIRE(narrow.solve_from_root(root, x_u, same, -far, far) == rme::Status::Ok);
+    ++solved;
+    const double reach = double(narrow.solution().norm() + x_u.norm());
+    for (int i = 0; i < 5; ++i) {
+      const double miss = rows[i].lower - rows[i].a.dot(narrow.solution().cast<double>());
+      CHECK(miss <= double(Narrow::kTolerance) * (rows[i].a.norm() * reach + std::abs(rows[i].lower)));
+    }
+  }
+  CHECK(solved > 1000);
+}
+
+}  // namespace
