@@ -242,10 +242,8 @@ void BlockAverager<Scalar, Dofs>::end_part() noexcept {
   const Eigen::Matrix<Scalar, 6, kInertial> wrench =
       inertial_wrench_regressor<Scalar>(last_.rotation, gravity_, motion);
   detail::add_scaled(sums_.regressor, part_weight_, detail::transposed_product(last_.jacobian, wrench));
-  if (parts_ < kBlockParts) {
-    for (int j = 0; j < Dofs; ++j) sums_.velocities(j, parts_) = part_velocity_[j] / part_duration_;
-    ++parts_;
-  }
+  for (int j = 0; j < Dofs; ++j) sums_.velocities(j, parts_) = part_velocity_[j] / part_duration_;
+  ++parts_;
   duration_ += part_duration_;
   weight_ += part_weight_;
   begin_part();

@@ -69,7 +69,7 @@ Scalar HypothesisBank<Scalar, Dofs>::update(Star& star) noexcept {
     const auto log_density = [square](Scalar variance) { return Scalar(-0.5) * (square / variance + log(variance)); };
     if (const Scalar jump = model_.stiction_jump(j); jump > 0) {  // both, by their likelihoods
       const Scalar stays = log_density(p.variance), jumps = log_density(p.variance + jump);
-      const Scalar share = Scalar(1) / (Scalar(1) + exp(std::min(Scalar(80), stays - jumps)));
+      const Scalar share = Scalar(1) / (Scalar(1) + exp(stays - jumps));
       log_likelihood += std::max(stays, jumps) + log(Scalar(1) + exp(-std::abs(stays - jumps)));
       star.joint(j).covariance(kStiction, kStiction) += share * jump;
       p = star.predict(j, model_.observation(j, mass));
