@@ -75,6 +75,7 @@ class HypothesisBank {
     return static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
   }
   const Star& source(std::size_t from, Hypothesis to) const noexcept;
+  void take_in(Hypothesis h) noexcept;
   void mix(Hypothesis h) noexcept;
   Scalar update(Star& star) noexcept;
   Scalar push_likelihood(const Star& star) noexcept;
@@ -186,17 +187,19 @@ bool HypothesisBank<Scalar, Dofs>::settled_explains() const noexcept {
 
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::evaluate(std::size_t step) noexcept {
-  if (step == 0) {
-    model_.predict(before_);
-    model_.predict(recent_);
-  }
   const bool empty_first = predicted_[Hypothesis::Empty] > predicted_[Hypothesis::Steady];
   const auto h = static_cast<Hypothesis>(step < 2 && !empty_first ? 1 - step : step);
-  if (!in_question_[h]) return;
-  if (step > 0 && !exchange_likely_ && !patient_ && predicted_[h] < Scalar(0.002) && settled_explains()) {
+  if (step > 0 && !exchange_likely_ && !patient_ && predicted_[h] < Scalar(0.002) && settled_explains())
     in_question_[h] = false;
-    return;
-  }
+  if (in_question_[h]) take_in(h);
+  if (step + 1 < kHypotheses) return;
+  model_.predict(before_);  // now that nothing begins with them any more, they come up to this block
+  model_.predict(recent_);
+}
+
+/// What h has begun with, and what the block says of it.
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::take_in(Hypothesis h) noexcept {
   mix(h);
   Star& star = next(h);
   model_.predict(star);

@@ -40,27 +40,35 @@ class PushFilter {
     Wrench other{Vector6<Scalar>::Zero(), any_};
     const Scalar anew = observe(other, innovation, covariance, jacobian);
     const Scalar stays = Scalar(kStays) * goes_on;
-    if (!known_ || !(stays > 0) || !(anew > -std::numeric_limits<Scalar>::infinity())) {
-      wrench_ = other;
-      known_ = true;
+    lasted_ += duration;
+    if (!known_ || !(stays > 0) || lasted_ > Scalar(kLongest) || !(anew > -std::numeric_limits<Scalar>::infinity())) {
+      begin(other);
       return anew;
     }
     detail::add_scaled(wrench_.covariance, Scalar(kChange * kChange) * duration / Scalar(0.02), any_);
     const Scalar on = log(stays) + observe(wrench_, innovation, covariance, jacobian), off = log(1 - stays) + anew;
-    if (off > on) wrench_ = other;
+    if (off > on) begin(other);
     return std::max(on, off) + log(Scalar(1) + exp(-abs(on - off)));
   }
   void forget() noexcept { known_ = false; }  ///< nobody pushes
 
  private:
-  static constexpr double kStays = 0.9;    // in a block: hands grasp anew, and let go
-  static constexpr double kChange = 0.03;  // of W's deviations, in 20 ms: what a hand that holds still trembles
+  static constexpr double kStays = 0.9;  // in a block: hands grasp anew, and let go
+  // Of W's deviations, in 20 ms: a hand trembles, and following it must not explain noise better than an empty hand
+  // does.
+  static constexpr double kChange = 0.1;
+  static constexpr double kLongest = 1;  // that a wrench is taken for granted [s]
 
   struct Wrench {  // world axes, at the end-effector origin [N, N m]
     Vector6<Scalar> mean;
     Eigen::Matrix<Scalar, 6, 6> covariance;
   };
 
+  void begin(const Wrench& wrench) noexcept {
+    wrench_ = wrench;
+    known_ = true;
+    lasted_ = Scalar(0);
+  }
   /// @return log likelihood of the block
   static Scalar observe(Wrench& wrench, const JointVector<Scalar, Dofs>& innovation, const Covariance& covariance,
                         const Jacobian<Scalar, Dofs>& jacobian) noexcept {
@@ -84,7 +92,8 @@ class PushFilter {
 
   Eigen::Matrix<Scalar, 6, 6> any_ = Eigen::Matrix<Scalar, 6, 6>::Zero();  // W
   Wrench wrench_{Vector6<Scalar>::Zero(), any_};
-  bool known_ = false;  // that of the block before
+  bool known_ = false;         // that of the block before
+  Scalar lasted_ = Scalar(0);  // since it was new [s]
 };
 
 }  // namespace rme
