@@ -67,7 +67,8 @@ class HypothesisBank {
   static constexpr double kNegligible = 1e-4;
   /// A rough arm's torque changes by what a payload makes more often than its payload does.
   static constexpr double kRoughExchange = 0.05;
-  static constexpr double kAge = 0.1 - 1e-6;  // [s]
+  static constexpr double kAge = 0.1 - 1e-6;        // [s]
+  static constexpr double kDoubtful = 0.04 - 1e-6;  // that a payload may turn out to be a push [s]
 
   Star& next(Hypothesis h) noexcept { return next_[index(h)]; }
   std::size_t likeliest() const noexcept {
@@ -95,6 +96,7 @@ class HypothesisBank {
   // Age of recent_, and for how long nothing happened in all, up to a second [s]: of a life that is shorter than kAge
   // about half is known.
   Scalar age_ = Scalar(0), known_ = Scalar(0);
+  Scalar settled_ = Scalar(kDoubtful);  // since an exchange was believed in [s]
   PerHypothesis<Scalar> probability_;
 
   // of the block that is being taken in
@@ -249,6 +251,7 @@ Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
   for (const Hypothesis h : {Hypothesis::Steady, Hypothesis::Filling})
     if (in_question_[h] && (!in_question_[settled] || predicted_[h] > predicted_[settled])) settled = h;
   innovation_squared_ = squared_[settled];
+  settled_ = probability_[Hypothesis::Exchanged] > Scalar(0.5) ? Scalar(0) : settled_ + model_.block().duration;
   const Hypothesis sure =
       probability_[Hypothesis::Empty] > probability_[Hypothesis::Steady] ? Hypothesis::Empty : Hypothesis::Steady;
   if (probability_[sure] > Scalar(0.9)) {

@@ -9,12 +9,13 @@
 namespace rme {
 
 /// What is known of an arm in which `to` begins, having been in `from`. A change has gone on for a while before it is
-/// noticed, and nuisances have taken on a share of it: what follows a change starts from before. So does a push: what
-/// was believed to be something else until now has been one for a while, and what was held before it is held still.
+/// noticed, and nuisances have taken on a share of it: what follows a change starts from before. A push does as well,
+/// where an exchange has just been believed in: it has been the push, and what was held before is held still.
 template <typename Scalar, int Dofs>
 auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const noexcept -> const Star& {
   const auto h = static_cast<Hypothesis>(from);
-  const bool change = h != to && (to == Hypothesis::Empty || (to == Hypothesis::Pushed && h != Hypothesis::Empty));
+  const bool doubtful = h == Hypothesis::Exchanged || (h != Hypothesis::Empty && settled_ < Scalar(kDoubtful));
+  const bool change = h != to && (to == Hypothesis::Empty || (to == Hypothesis::Pushed && doubtful));
   return change ? before_ : stars_[from];
 }
 
