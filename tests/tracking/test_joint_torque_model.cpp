@@ -123,7 +123,6 @@ TEST_CASE("JointTorqueModel: noise of dq is noise of the inertia force, in propo
   CHECK(model.observation(1, 2).noise == Approx(model.observation(1, 0).noise));
 }
 
-constexpr int kNuisances = rme::kJointNuisances;
 using Beta = rme::JointNuisanceVector<double>;
 using BetaMatrix = rme::JointNuisanceMatrix<double>;
 
