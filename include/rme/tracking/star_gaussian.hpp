@@ -255,7 +255,6 @@ class StarGaussian {
   std::array<Joint, static_cast<std::size_t>(Dofs)> joints_;
 };
 
-/// The star with the moments of a mixture of stars.
 }  // namespace rme
 
 #include <rme/tracking/detail/star_gaussian_impl.hpp>
