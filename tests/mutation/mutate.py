@@ -412,7 +412,7 @@ def examine(header, test_names, explanations, options):
 
 
 def main():
-    parser = argparse.ArgumentParser(usage=__doc__)
+    parser = argparse.ArgumentParser(usage=__doc__.replace("%", "%%"))
     parser.add_argument("header", nargs="?")
     parser.add_argument("tests", nargs="*")
     parser.add_argument("--all", action="store_true", help="every header of headers.txt, and a total")
