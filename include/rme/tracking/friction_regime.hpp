@@ -22,7 +22,9 @@ struct JointFriction {
 };
 
 /// Tells resting joints from moving ones. A joint moves if the mean of dq over a quarter of a block exceeds 1e-4 rad/s
-/// and three standard deviations of its noise.
+/// and 4.5 standard deviations of its noise. One that moves more slowly than its noise shows counts as resting: what
+/// held it when it stopped goes on, and of one that has not moved nothing is known either way. To take noise for motion
+/// would be worse: friction that is the same in both directions is learned to be none.
 template <typename Scalar, int Dofs>
 class FrictionRegime {
  public:
@@ -30,37 +32,30 @@ class FrictionRegime {
   void update(const TorqueBlock<Scalar, Dofs>& block) noexcept {
     using std::abs;
     using std::sqrt;
-    bool any_creeps = false;
     const auto samples = static_cast<Scalar>(std::max(1, block.samples));
     for (int j = 0; j < Dofs; ++j) {
       const Scalar noise = block.velocity_noise[j];
-      const Scalar threshold = std::max(Scalar(kMoves), 3 * sqrt(kBlockParts * noise / samples));
+      const Scalar threshold = std::max(Scalar(kMoves), Scalar(kDeviations) * sqrt(kBlockParts * noise / samples));
       JointFriction<Scalar>& joint = joints_[static_cast<std::size_t>(j)];
       const bool rested = joint_rests_[static_cast<std::size_t>(j)];
-      // Slow motion under noise shows over some blocks only.
-      slow_[j] += Scalar(kSlowBlend) * (block.velocity[j] - slow_[j]);
-      const Scalar slow_threshold = std::max(Scalar(kMoves), 3 * sqrt(noise * Scalar(kSlowShare) / samples));
-      const bool creeps = threshold > Scalar(kNoisy) && abs(slow_[j]) > slow_threshold;
-      any_creeps = any_creeps || creeps;
       int moving = 0;
       Scalar signs = Scalar(0);
       for (int i = 0; i < kBlockParts; ++i) {
-        const Scalar part = block.velocities(j, i);
-        const Scalar v = abs(part) > threshold || !creeps ? part : slow_[j];
-        if (!(abs(part) > threshold) && !creeps) continue;
+        const Scalar v = block.velocities(j, i);
+        if (!(abs(v) > threshold)) continue;
         ++moving;
         signs += v > 0 ? Scalar(1) : Scalar(-1);
         joint.last_direction = v > 0 ? Scalar(1) : Scalar(-1);
       }
       joint.direction = signs / kBlockParts;
       joint.resting = Scalar(1) - Scalar(moving) / kBlockParts;
-      const bool rests = !(abs(block.velocities(j, kBlockParts - 1)) > threshold) && !creeps;
+      const bool rests = !(abs(block.velocities(j, kBlockParts - 1)) > threshold);
       joint.stops = rests && !rested;
       joint_rests_[static_cast<std::size_t>(j)] = rests;
     }
     // Noise of dq alone is no motion: three deviations of what it leaves of the norm of a block's mean.
     const Scalar noise = block.velocity_noise.sum() / samples;
-    arm_moves_ = any_creeps || block.velocity.norm() > std::max(Scalar(kArmMoves), 3 * sqrt(noise));
+    arm_moves_ = block.velocity.norm() > std::max(Scalar(kArmMoves), 3 * sqrt(noise));
   }
   /// Joint j in the last block.
   const JointFriction<Scalar>& joint(int j) const noexcept { return joints_[static_cast<std::size_t>(j)]; }
@@ -72,14 +67,11 @@ class FrictionRegime {
   FrictionRegime() noexcept { joint_rests_.fill(true); }
 
  private:
-  static constexpr double kMoves = 1e-4;     // [rad/s]
-  static constexpr double kArmMoves = 1e-3;  // norm of dq [rad/s]
-  static constexpr double kNoisy = 1e-3;     // threshold from which on slow motion is looked for [rad/s]
-  static constexpr double kSlowBlend = 0.2;  // of a block: a tenth of a second
-  static constexpr double kSlowShare = kSlowBlend / (2 - kSlowBlend);  // of a block's variance, that it leaves
+  static constexpr double kMoves = 1e-4;      // [rad/s]
+  static constexpr double kArmMoves = 1e-3;   // norm of dq [rad/s]
+  static constexpr double kDeviations = 4.5;  // which the quarters of seven joints exceed once in two minutes
   std::array<JointFriction<Scalar>, static_cast<std::size_t>(Dofs)> joints_{};
   std::array<bool, static_cast<std::size_t>(Dofs)> joint_rests_{};
-  JointVector<Scalar, Dofs> slow_ = JointVector<Scalar, Dofs>::Zero();
   bool arm_moves_ = false;
 };
 

@@ -69,6 +69,8 @@ class HypothesisBank {
   static constexpr double kRoughExchange = 0.05;
   static constexpr double kAge = 0.1 - 1e-6;        // [s]
   static constexpr double kDoubtful = 0.04 - 1e-6;  // that a payload may turn out to be a push [s]
+  static constexpr double kSettling = 0.1 - 1e-6;   // after an exchange: observers' tails are over [s]
+  static constexpr double kSpoilt = 4;              // e^T S^-1 e per joint that no payload explains
 
   Star& next(Hypothesis h) noexcept { return next_[index(h)]; }
   std::size_t likeliest() const noexcept {
@@ -85,6 +87,7 @@ class HypothesisBank {
   /// log P(m is a mass that an arm can tell from nothing, and can hold) of a star.
   Scalar log_plausible(const Star& star) const noexcept;
   bool settled_explains() const noexcept;
+  void settle() noexcept;
 
   JointTorqueModel<Scalar, Dofs> model_;
   PayloadPrior<Scalar> payload_;
@@ -96,7 +99,8 @@ class HypothesisBank {
   // Age of recent_, and for how long nothing happened in all, up to a second [s]: of a life that is shorter than kAge
   // about half is known.
   Scalar age_ = Scalar(0), known_ = Scalar(0);
-  Scalar settled_ = Scalar(kDoubtful);  // since an exchange was believed in [s]
+  Scalar settled_ = Scalar(kSettling);  // since an exchange was believed in [s]
+  Scalar worst_ = Scalar(0);            // largest innovation_squared_ since then
   PerHypothesis<Scalar> probability_;
 
   // of the block that is being taken in
@@ -106,6 +110,7 @@ class HypothesisBank {
   PerHypothesis<Scalar> squared_;  // e^T S^-1 e per joint
   PerHypothesis<JointVector<Scalar, Dofs>> innovation_, variance_;
   bool exchange_likely_ = false;
+  bool resumed_ = false;  // the exchange is looked at anew
   bool patient_ = false;  // what is unlikely is looked at all the same: a large residual hides it for seconds
   Scalar innovation_squared_ = Scalar(1);
 };
@@ -160,6 +165,7 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                          bool kind_likely) noexcept {
   model_.begin(block, regime);
   exchange_likely_ = exchange_likely;
+  resumed_ = settled_ < Scalar(kSettling) && settled_ + block.duration >= Scalar(kSettling) && worst_ > Scalar(kSpoilt);
   patient_ = model_.rough() && kind_likely;
   for (std::size_t to = 0; to < kHypotheses; ++to) {
     Scalar sum = Scalar(0);
@@ -173,7 +179,7 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
     predicted_[Hypothesis::Exchanged] += Scalar(0.5);
   }
   for (std::size_t i = 0; i < kHypotheses; ++i) {
-    in_question_.values[i] = predicted_.values[i] > Scalar(1e-6);
+    in_question_.values[i] = predicted_.values[i] > Scalar(1e-6) || (resumed_ && i == index(Hypothesis::Exchanged));
     squared_.values[i] = Scalar(1e6);
   }
 }
@@ -191,8 +197,8 @@ template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::evaluate(std::size_t step) noexcept {
   const bool empty_first = predicted_[Hypothesis::Empty] > predicted_[Hypothesis::Steady];
   const auto h = static_cast<Hypothesis>(step < 2 && !empty_first ? 1 - step : step);
-  if (step > 0 && !exchange_likely_ && !patient_ && predicted_[h] < Scalar(0.002) && settled_explains())
-    in_question_[h] = false;
+  const bool needed = exchange_likely_ || patient_ || (resumed_ && h == Hypothesis::Exchanged);
+  if (step > 0 && !needed && predicted_[h] < Scalar(0.002) && settled_explains()) in_question_[h] = false;
   if (in_question_[h]) take_in(h);
   if (step + 1 < kHypotheses) return;
   model_.predict(before_);  // now that nothing begins with them any more, they come up to this block
@@ -225,6 +231,21 @@ void HypothesisBank<Scalar, Dofs>::take_in(Hypothesis h) noexcept {
   }
 }
 
+/// Follows what comes after an exchange. If its first tenth of a second was badly explained, by an observer that is not
+/// what it is said to be, say, nuisances have taken on what was not theirs: the payload is then found again, from what
+/// was known of the arm before.
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::settle() noexcept {
+  const bool held = probability_[Hypothesis::Steady] + probability_[Hypothesis::Filling] > Scalar(0.5);
+  if (resumed_ && in_question_[Hypothesis::Exchanged] && held)
+    stars_[index(Hypothesis::Steady)] = stars_[index(Hypothesis::Filling)] = stars_[index(Hypothesis::Exchanged)];
+  settled_ += model_.block().duration;
+  worst_ = std::max(worst_, innovation_squared_);
+  if (!(probability_[Hypothesis::Exchanged] > Scalar(0.5))) return;
+  settled_ = worst_ = age_ = Scalar(0);
+  recent_ = before_;
+}
+
 template <typename Scalar, int Dofs>
 Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
   using std::exp;
@@ -251,7 +272,7 @@ Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
   for (const Hypothesis h : {Hypothesis::Steady, Hypothesis::Filling})
     if (in_question_[h] && (!in_question_[settled] || predicted_[h] > predicted_[settled])) settled = h;
   innovation_squared_ = squared_[settled];
-  settled_ = probability_[Hypothesis::Exchanged] > Scalar(0.5) ? Scalar(0) : settled_ + model_.block().duration;
+  settle();
   const Hypothesis sure =
       probability_[Hypothesis::Empty] > probability_[Hypothesis::Steady] ? Hypothesis::Empty : Hypothesis::Steady;
   if (probability_[sure] > Scalar(0.9)) {
