@@ -1,6 +1,6 @@
 #pragma once
-// What several tests instantiate and the examples do not: compiled once, in instances.cpp. A test that does not see this
-// file compiles just the same.
+// What several tests instantiate and the examples do not: compiled once, in instances.cpp. A test that does not see
+// this file compiles just the same.
 #include <precompiled/rme.hpp>
 
 namespace rme {
