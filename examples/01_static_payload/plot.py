@@ -6,28 +6,16 @@
 Above, how far the flange strayed with and without compensation; in the middle, the mass that is believed; below, the norm
 of the external torque, and when the likeliest hypothesis was a change.
 """
-import argparse
-import csv
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from plotting import columns, main, plt
 
 WITH, WITHOUT, CHANGE = "#0072b2", "#d55e00", "#cfe3f1"
 SETTLED = ("empty", "steady")
-
-
-def read(path):
-    """Columns by name; all numbers but the hypothesis."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
-    if not rows:
-        raise ValueError(f"{path}: no rows")
-    return {name: np.array([row[name] if name == "hypothesis" else float(row[name]) for row in rows]) for name in rows[0]}
 
 
 def norm(run, names):
@@ -42,21 +30,21 @@ def changes(run):
     return [(t[a], t[b]) for a, b in edges.reshape(-1, 2)]
 
 
-def draw(folder, picture):
-    runs = {name: read(folder / f"{name}.csv") for name in ("compensated", "uncompensated")}
+def draw(folder):
+    runs = {name: columns(folder / f"{name}.csv") for name in ("compensated", "uncompensated")}
     torque = [f"tau_ext{i}" for i in range(1, 8)]
     error = [f"error_{axis}" for axis in "xyz"]
     on, off = runs["compensated"], runs["uncompensated"]
     attached = on["t"][np.argmax(on["m"] > 0)]
 
-    plt.rcParams.update({"font.size": 10, "axes.spines.top": False, "axes.spines.right": False})
+    plt.rcParams["font.size"] = 10
     figure, (above, middle, below) = plt.subplots(3, 1, figsize=(7.2, 6.6), sharex=True, constrained_layout=True)
     above.plot(off["t"], 1e3 * norm(off, error), color=WITHOUT, label="without compensation")
     above.plot(on["t"], 1e3 * norm(on, error), color=WITH, label="with compensation")
     above.set_ylabel("position error [mm]")
     above.set_ylim(bottom=0)
-    above.legend(frameon=False, loc="center right")
-    above.set_title(f"{on['m'].max():g} kg nobody announced", loc="left")
+    above.legend(loc="center right")
+    above.set_title(f"{on['m'].max():g} kg nobody announced")
 
     known = on["mass"] > 0
     middle.fill_between(on["t"], on["mass"] - 2 * on["mass_std"], on["mass"] + 2 * on["mass_std"], where=known,
@@ -64,7 +52,7 @@ def draw(folder, picture):
     middle.plot(on["t"], on["mass"], color=WITH, linewidth=1.2, label="estimate, 2 std. dev.")
     middle.plot(on["t"], on["m"], color="black", linestyle="--", linewidth=1, label="truth")
     middle.set_ylabel("mass [kg]")
-    middle.legend(frameon=False, loc="lower right")
+    middle.legend(loc="lower right")
 
     below.plot(on["t"], norm(on, torque), color="black", linewidth=1)
     below.set_ylabel(r"$\Vert\tau_\mathrm{ext}\Vert_2$ [N m]")
@@ -78,19 +66,8 @@ def draw(folder, picture):
         axes.set_xlim(0, on["t"][-1])
     above.annotate("payload appears", (attached, 0.97), xycoords=("data", "axes fraction"), xytext=(-4, 0),
                    textcoords="offset points", ha="right", va="top", fontsize=8, color="grey")
-    figure.savefig(picture, dpi=150)
-
-
-def main():
-    parser = argparse.ArgumentParser(description="Draws the runs that rme_01_static_payload has written.")
-    parser.add_argument("folder", type=pathlib.Path, help="what was given to --output")
-    parser.add_argument("picture", type=pathlib.Path, nargs="?", help="file to write (default: static_payload.png there)")
-    arguments = parser.parse_args()
-    try:
-        draw(arguments.folder, arguments.picture or arguments.folder / "static_payload.png")
-    except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"plot.py: {error}")
+    return figure
 
 
 if __name__ == "__main__":
-    main()
+    main(__doc__.splitlines()[0], draw, "static_payload", dpi=150)

@@ -7,17 +7,15 @@ Above, the arm without rme and with it, and in outline where it would be without
 believed beside the true one, and how far the flange is from where it is to be.
 """
 import argparse
-import csv
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.image
-import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from plotting import columns, plt
 
 WITH, WITHOUT, TRUTH = "#0072b2", "#d55e00", "#5c6673"
 # What happens, from when on [s]; as in animation.cpp.
@@ -34,14 +32,6 @@ COLOURS = 96
 LAST = 1500  # how long the last picture stays [ms]
 
 
-def read(path):
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
-    if not rows:
-        raise ValueError(f"{path}: no rows")
-    return {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
-
-
 def halves(path):
     picture = matplotlib.image.imread(path)[:, :, :3]
     middle = picture.shape[1] // 2
@@ -52,7 +42,6 @@ class Page:
     """One figure, drawn anew for each instant."""
 
     def __init__(self, runs, first):
-        plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False})
         self.runs = runs
         self.figure = plt.figure(figsize=(7.6, 5.6), dpi=100)
         self.views = []
@@ -64,13 +53,13 @@ class Page:
         self.caption = self.figure.text(0.5, 0.955, "", ha="center", fontsize=12)
         with_rme, without = runs
         mass = self.figure.add_axes((0.075, 0.085, 0.4, 0.24))
-        mass.set_title("in the hand [kg]", loc="left", fontsize=10)
+        mass.set_title("in the hand [kg]", fontsize=10)
         mass.plot(with_rme["t"], with_rme["m"], color=TRUTH, linewidth=3, alpha=0.35, label="true mass")
         self.mass = mass.plot([], [], color=WITH, linewidth=1.3, label="believed by rme")[0]
-        mass.legend(frameon=False, loc="upper left")
+        mass.legend(loc="upper left")
         mass.set_ylim(0, 1.6 * with_rme["m"].max())
         distance = self.figure.add_axes((0.575, 0.085, 0.4, 0.24))
-        distance.set_title("flange away from where it is to be [mm]", loc="left", fontsize=10)
+        distance.set_title("flange away from where it is to be [mm]", fontsize=10)
         self.distances = [
             distance.plot([], [], color=colour, linewidth=1.3)[0] for colour in (WITHOUT, WITH)
         ]
@@ -96,7 +85,7 @@ class Page:
 
 
 def animate(folder, rate, picture):
-    runs = read(folder / "with.csv"), read(folder / "without.csv")
+    runs = columns(folder / "with.csv"), columns(folder / "without.csv")
     files = sorted((folder / "frames").glob("*.png"))
     if not files:
         raise ValueError(f"{folder}/frames: no pictures")

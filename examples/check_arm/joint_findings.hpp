@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "check_arm/log_blocks.hpp"
+#include "replay_log/log_blocks.hpp"
 
 namespace rme::examples {
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <rme/tracking/inertial_parameters.hpp>
+#include <rme/tracking/torque_block.hpp>
 #include <string>
 #include <vector>
 

@@ -102,6 +102,13 @@ Log<Dofs> parse_log(std::string_view text, const std::string& name) {
   return log;
 }
 
+// Compiled in log_reader.cpp.
+extern template Log<4> parse_log(std::string_view, const std::string&);
+extern template Log<5> parse_log(std::string_view, const std::string&);
+extern template Log<6> parse_log(std::string_view, const std::string&);
+extern template Log<7> parse_log(std::string_view, const std::string&);
+extern template Log<8> parse_log(std::string_view, const std::string&);
+
 /// Reads a log from a CSV file, plain or gzip-compressed; see parse_log.
 template <int Dofs = 7>
 Log<Dofs> read_log(const std::string& path) {

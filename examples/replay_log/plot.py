@@ -12,11 +12,10 @@ import json
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from plotting import plt
 
 BELIEVED, TRUTH = "#0072b2", "#5c6673"
 HYPOTHESES = {"empty": "#d9dde1", "steady": "#0072b2", "filling": "#56b4e9", "exchanged": "#009e73", "pushed": "#d55e00"}
@@ -33,7 +32,6 @@ def read(path):
 
 def draw(beliefs, picture):
     t, mass, deviation = (np.array(column) for column in zip(*((b["t"], b["mass"], b["std"][0]) for b in beliefs)))
-    plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False})
     figure, (above, middle, below) = plt.subplots(
         3, 1, figsize=(7.2, 5), sharex=True, constrained_layout=True, gridspec_kw={"height_ratios": (3, 1.3, 1)}
     )
@@ -44,12 +42,12 @@ def draw(beliefs, picture):
     above.plot(t, mass, color=BELIEVED, linewidth=1.2, label="believed")
     above.set_ylabel("mass [kg]")
     above.set_ylim(0, 1.3 * max(mass.max(), 1e-3))
-    above.legend(frameon=False, loc="upper left", ncol=3)
+    above.legend(loc="upper left", ncol=3)
     shares = [[b["probability"][name] for b in beliefs] for name in HYPOTHESES]
     middle.stackplot(t, shares, colors=list(HYPOTHESES.values()), labels=list(HYPOTHESES))
     middle.set_ylabel("probability")
     middle.set_ylim(0, 1)
-    middle.legend(frameon=False, loc="lower left", bbox_to_anchor=(0, 1), ncol=len(HYPOTHESES), fontsize=8)
+    middle.legend(loc="lower left", bbox_to_anchor=(0, 1), ncol=len(HYPOTHESES), fontsize=8)
     below.semilogy(t, [b["health"] for b in beliefs], color=TRUTH, linewidth=1)
     below.axhline(1, color="0.8", linewidth=0.8)
     below.set_ylim(0.09, 110)

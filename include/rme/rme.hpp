@@ -1,5 +1,8 @@
 #pragma once
-/// All of rme but its JSON forms (rme/network/json.hpp and rme/estimator_json.hpp, target rme::json).
+/// What a host needs: estimator, momentum observer, compensation, and the controller. Behind their own headers are the
+/// published pipeline (rme/published/published_pipeline.hpp) with its network (rme/network/) and its inference over a
+/// window of samples (rme/inference/, rme/sensing/), and the JSON forms (rme/estimator_json.hpp and
+/// rme/network/json.hpp, target rme::json).
 #include <rme/control/active_set_solver.hpp>
 #include <rme/control/barriers.hpp>
 #include <rme/control/compensation.hpp>
@@ -16,66 +19,20 @@
 #include <rme/control/payload_uncertainty.hpp>
 #include <rme/control/posture.hpp>
 #include <rme/control/prediction_error.hpp>
-#include <rme/core/cholesky.hpp>
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
-#include <rme/core/plausible.hpp>
-#include <rme/core/require.hpp>
-#include <rme/core/ring_buffer.hpp>
 #include <rme/core/status.hpp>
-#include <rme/core/sum_of_logs.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
 #include <rme/estimator.hpp>
 #include <rme/estimator_config.hpp>
 #include <rme/estimator_state.hpp>
-#include <rme/inference/evidence.hpp>
-#include <rme/inference/exact_posterior.hpp>
-#include <rme/inference/fixed_prior.hpp>
-#include <rme/inference/inference_result.hpp>
-#include <rme/inference/mean_field.hpp>
 #include <rme/inference/payload_gaussian.hpp>
-#include <rme/inference/payload_likelihood.hpp>
-#include <rme/inference/payload_regressor.hpp>
-#include <rme/inference/payload_statistics.hpp>
-#include <rme/inference/published_likelihood.hpp>
-#include <rme/inference/sensor_model.hpp>
-#include <rme/inference/stochastic_vi.hpp>
-#include <rme/inference/variational_inference.hpp>
-#include <rme/network/architecture.hpp>
-#include <rme/network/conv1d.hpp>
-#include <rme/network/exponential.hpp>
-#include <rme/network/linear.hpp>
-#include <rme/network/mismatch_network.hpp>
-#include <rme/network/mlp.hpp>
-#include <rme/network/network_prior.hpp>
-#include <rme/network/normalization.hpp>
-#include <rme/network/self_attention.hpp>
-#include <rme/network/weights.hpp>
-#include <rme/published/fixed_guess.hpp>
-#include <rme/published/pseudo_wrench_sequence.hpp>
-#include <rme/published/published_config.hpp>
-#include <rme/published/published_pipeline.hpp>
-#include <rme/published/published_state.hpp>
 #include <rme/runtime_estimator.hpp>
-#include <rme/sensing/friction_direction.hpp>
-#include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <rme/sensing/proprioception.hpp>
-#include <rme/sensing/pseudo_wrench.hpp>
-#include <rme/sensing/sample_window.hpp>
 #include <rme/sensing/torque_sign.hpp>
 #include <rme/tracking/arm_prior.hpp>
-#include <rme/tracking/event_monitor.hpp>
-#include <rme/tracking/friction_regime.hpp>
 #include <rme/tracking/hypothesis.hpp>
-#include <rme/tracking/hypothesis_bank.hpp>
 #include <rme/tracking/inertial_parameters.hpp>
-#include <rme/tracking/joint_torque_model.hpp>
-#include <rme/tracking/payload_belief.hpp>
-#include <rme/tracking/removal_guard.hpp>
-#include <rme/tracking/sensor_noise.hpp>
-#include <rme/tracking/star_gaussian.hpp>
-#include <rme/tracking/torque_block.hpp>
-#include <rme/tracking/tracker.hpp>
 #include <rme/version.hpp>

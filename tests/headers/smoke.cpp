@@ -1,7 +1,8 @@
 // The core without exceptions and run-time types, in float and double, or in RME_SMOKE_SCALAR alone. Ends with 0 if it
 // still computes what it should.
 #include <cmath>
-#include <rme/rme.hpp>
+
+#include "core.hpp"  // generated: every header but the JSON ones
 
 namespace {
 

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Breaks a header in many small ways, one at a time, and says which of them its tests do not notice.
 
-    python3 tests/mutation/mutate.py HEADER [TEST...] [--build DIR] [--count N] [--seed N] [--jobs N] [--list]
+    python3 tests/mutation/mutate.py HEADER [TEST...] [--build DIR] [--count N] [--seed N] [--jobs N]
+                                     [--verbose]
     python3 tests/mutation/mutate.py --all [--count N] ...
+    python3 tests/mutation/mutate.py HEADER --list
 
 HEADER is below include/, e.g. rme/tracking/sensor_noise.hpp; TEST is a test program of the build, e.g.
 tracking_test_sensor_noise. Without a TEST, and with --all, tests/mutation/headers.txt says which tests a header has;
@@ -12,7 +14,8 @@ Each mutant differs in one line. As many as possible are compiled at once, each 
 the others, where a line cannot hold both, one at a time. They are compiled from the test's own source and command, with a
 copy of include/ in front, with assertions, and without precompiled templates. A mutant that does not compile does not
 count. One that fails, or runs ten times longer than the original, is dead. What survives is printed, unless
-tests/mutation/equivalent.txt explains it: those are not run, and count as alive.
+tests/mutation/equivalent.txt explains it: those are not run, and count as alive. With --verbose every mutant is printed,
+with what became of it. With --list they are printed, and nothing is compiled or run.
 
 Exit codes: 0 every survivor is explained, and with --all at least 95 % are dead; 1 otherwise; 2 unusable arguments, or
 an explanation of a mutant that does not exist.
@@ -357,19 +360,29 @@ class Score:
                 f"{self.known} are explained, {self.alive} are not; {self.broken} more do not compile")
 
 
-def examine(header, test_names, explanations, options):
-    text = (ROOT / "include" / header).read_text()
-    everything = mutants_of(text)
-    keys = {(header, same(old), same(new)) for _, old, new in everything}
+def chosen_mutants(header, text, explanations, options):
+    """The mutants of `header` that the options leave."""
+    mutants = mutants_of(text)
+    keys = {(header, same(old), same(new)) for _, old, new in mutants}
     for key in explanations:
         if key[0] == header and key not in keys:
             fail(f"equivalent.txt explains what no mutant of {header} is: '{key[1]}' -> '{key[2]}'")
-    mutants = everything
     if options.only:
         wanted = explanations_of(options.only.read_text())
         mutants = [m for m in mutants if (header, same(m[1]), same(m[2])) in wanted]
     if options.count and options.count < len(mutants):
         mutants = sorted(random.Random(options.seed).sample(mutants, options.count))
+    return mutants
+
+
+def print_mutant(header, mutant, what):
+    number, old, new = mutant
+    print(f"{header}:{number + 1}:{what and ' '}{what}\n- {same(old)}\n+ {same(new)}", flush=True)
+
+
+def examine(header, test_names, explanations, options):
+    text = (ROOT / "include" / header).read_text()
+    mutants = chosen_mutants(header, text, explanations, options)
     score = Score()
     known = [m for m in mutants if (header, same(m[1]), same(m[2])) in explanations]
     if not options.explained:
@@ -384,7 +397,6 @@ def examine(header, test_names, explanations, options):
                 fail(f"{test.name} fails on {header} as it is")
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
             def take(k, verdict):
-                number, old, new = mutants[k]
                 if verdict == "compile":
                     score.broken += 1
                 elif verdict is not None:
@@ -393,9 +405,8 @@ def examine(header, test_names, explanations, options):
                     score.known += 1
                 else:
                     score.alive += 1
-                if options.list or (verdict is None) != (mutants[k] in known):
-                    print(f"{header}:{number + 1}: {'SURVIVES' if verdict is None else 'dead, ' + verdict}\n"
-                          f"- {same(old)}\n+ {same(new)}", flush=True)
+                if options.verbose or (verdict is None) != (mutants[k] in known):
+                    print_mutant(header, mutants[k], "SURVIVES" if verdict is None else "dead, " + verdict)
 
             verdicts = judge_together(mutants, header, text, tests, base, pool)
             for k, verdict in verdicts.items():
@@ -421,7 +432,8 @@ def main():
     parser.add_argument("--only", type=pathlib.Path, metavar="FILE", help="those that FILE, an earlier output, prints")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--list", action="store_true", help="say what became of each")
+    parser.add_argument("--list", action="store_true", help="print the mutants and run none")
+    parser.add_argument("--verbose", action="store_true", help="say what became of each")
     parser.add_argument("--explained", action="store_true", help="run those that equivalent.txt explains as well")
     options = parser.parse_args()
     table, explanations = headers(), explained()
@@ -429,10 +441,17 @@ def main():
         fail("expected either a header or --all")
     if options.all:
         jobs = table
+    elif options.list:
+        jobs = {options.header: []}
     elif options.tests or options.header in table:
         jobs = {options.header: options.tests or table[options.header]}
     else:
         fail(f"headers.txt has no tests for {options.header}; name them")
+    if options.list:
+        for header in jobs:
+            for mutant in chosen_mutants(header, (ROOT / "include" / header).read_text(), explanations, options):
+                print_mutant(header, mutant, "explained" if (header, same(mutant[1]), same(mutant[2])) in explanations else "")
+        return 0
     total = Score()
     for header, tests in jobs.items():
         total += examine(header, tests, explanations, options)

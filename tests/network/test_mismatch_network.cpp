@@ -146,25 +146,25 @@ TEST_CASE("MismatchNetwork: construction names the tensor that holds a NaN", "[n
   }
 }
 
-/// Another architecture: fewer samples, channels of two sensors, a single pass of the block.
-struct SmallArchitecture {
-  static constexpr int kSamples = 7, kChannels = 3, kConvChannels = 12, kConvKernel = 3, kHeads = 4, kMlpHidden = 10,
+/// Another architecture: fewer samples, less of everything, a single pass of the block.
+struct OtherArchitecture {
+  static constexpr int kSamples = 5, kChannels = 2, kConvChannels = 4, kConvKernel = 3, kHeads = 2, kMlpHidden = 6,
                        kMlpRepeats = 1, kOutputs = 2;
 };
 
 TEST_CASE("MismatchNetwork: other sizes than the published ones work", "[network]") {
   // With zero projections the attention is uniform and the output a function of the biases alone:
-  // relu(1 * 0 + 2) summed over 10 hidden units with weight 0.5, then b_2 = -1 and a head of ones over 12 channels.
-  rme::MismatchNetworkWeights<double, SmallArchitecture> weights;
+  // relu(1 * 0 + 2) summed over 6 hidden units with weight 0.5, then b_2 = -1 and a head of ones over 4 channels.
+  rme::MismatchNetworkWeights<double, OtherArchitecture> weights;
   weights.normalization_std.fill(1);
   weights.mlp_0_bias.fill(2);
   weights.mlp_2_weight.fill(0.5);
   weights.mlp_2_bias.fill(-1);
   weights.head_weight.fill(1);
-  const rme::MismatchNetwork<double, SmallArchitecture> network(weights);
+  const rme::MismatchNetwork<double, OtherArchitecture> network(weights);
   Eigen::Vector2d out = Eigen::Vector2d::Zero();
-  REQUIRE(network.forward(Eigen::Matrix<double, 7, 3>::Random(), out) == rme::Status::Ok);
-  CHECK(out == Eigen::Vector2d(12 * (10 * 0.5 * 2 - 1), 12 * (10 * 0.5 * 2 - 1)));
+  REQUIRE(network.forward(Eigen::Matrix<double, 5, 2>::Random(), out) == rme::Status::Ok);
+  CHECK(out == Eigen::Vector2d(4 * (6 * 0.5 * 2 - 1), 4 * (6 * 0.5 * 2 - 1)));
 }
 
 TEMPLATE_TEST_CASE("MismatchNetwork: forward neither throws nor allocates", "[network]", float, double) {

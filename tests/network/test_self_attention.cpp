@@ -23,6 +23,22 @@ TEMPLATE_TEST_CASE("SelfAttention: weights are a softmax over the keys, also whe
   CHECK(weights(1, 1) == 1);
 }
 
+TEMPLATE_TEST_CASE("SelfAttention: each row of numerators has 1 as its largest, and nothing beside them is written",
+                   "[attention]", float, double) {
+  struct {
+    Eigen::Matrix<TestType, 5, 5> numerators;
+    TestType beside = 7;
+  } memory;
+  static_assert(sizeof memory == 26 * sizeof(TestType));
+  Eigen::Matrix<TestType, 5, 1> queries, keys;
+  queries << -3, -1, TestType(0.5), 2, 20;
+  keys << -2, -1, 0, 1, 3;
+  const Eigen::Matrix<TestType, 5, 1> sums = rme::softmax_numerators(queries, keys, memory.numerators);
+  CHECK((memory.numerators.rowwise().maxCoeff().array() == 1).all());
+  CHECK((memory.numerators.rowwise().sum() - sums).norm() <= 8 * Eigen::NumTraits<TestType>::epsilon());
+  CHECK(memory.beside == 7);
+}
+
 TEMPLATE_TEST_CASE("SelfAttention: mean weights are the mean over the queries", "[attention]", float, double) {
   const unsigned seed = 4;
   CAPTURE(seed);

@@ -1,6 +1,17 @@
 // Every call that a host makes in its loop, and every one that those are made of, cannot throw. Compiles, or does not.
 #include <random>
+#include <rme/core/ring_buffer.hpp>
+#include <rme/inference/evidence.hpp>
+#include <rme/inference/exact_posterior.hpp>
+#include <rme/inference/mean_field.hpp>
+#include <rme/inference/published_likelihood.hpp>
+#include <rme/inference/sensor_model.hpp>
+#include <rme/inference/stochastic_vi.hpp>
+#include <rme/network/network_prior.hpp>
+#include <rme/published/published_pipeline.hpp>
 #include <rme/rme.hpp>
+#include <rme/sensing/friction_direction.hpp>
+#include <rme/sensing/mismatch_detector.hpp>
 
 namespace {
 

@@ -2,7 +2,13 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <rme/inference/exact_posterior.hpp>
+#include <rme/inference/mean_field.hpp>
+#include <rme/inference/stochastic_vi.hpp>
+#include <rme/network/network_prior.hpp>
 #include <rme/rme.hpp>
+#include <rme/sensing/mismatch_detector.hpp>
+#include <rme/sensing/sample_window.hpp>
 #include <string>
 #include <vector>
 

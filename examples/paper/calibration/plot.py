@@ -8,7 +8,7 @@ import math
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 from plotting import COLOURS, main, plt, read
 
 PARAMETERS = ("mass", "x", "y", "z")

@@ -2,7 +2,7 @@
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 from plotting import COLOURS, column, main, plt, read
 
 

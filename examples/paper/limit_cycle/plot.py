@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 from plotting import columns, main, plt
 
 RADIUS, TURN = 0.1, 2 * np.pi  # [m], [s]

@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 from plotting import columns, main, plt
 
 TRACKER, PUBLISHED, ALONE = "#0072b2", "#009e73", "#d55e00"

@@ -2,7 +2,7 @@
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "experiment"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 from plotting import COLOURS, column, main, plt, read
 
 PUBLISHED = {"m": (2.480, 2.436, 2.467, 2.081), "x": (1.607, 0.909, 0.860, 0.979), "y": (0.574, 0.468, 0.396, 0.477),

@@ -55,7 +55,8 @@ Scalar softmax_exp(Scalar x) noexcept {
     bits = (bits + exponent_of_one) << mantissa;  // 2^n
     Scalar power;
     std::memcpy(&power, &bits, sizeof power);
-    return power * detail::exp_series(r, std::make_index_sequence < is_float ? 7 : 12 > ());
+    constexpr std::size_t degree = is_float ? 7 : 12;
+    return power * detail::exp_series(r, std::make_index_sequence<degree>());
   }
 }
 

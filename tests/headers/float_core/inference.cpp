@@ -1,4 +1,9 @@
-#include <rme/rme.hpp>
+#include <rme/inference/evidence.hpp>
+#include <rme/inference/exact_posterior.hpp>
+#include <rme/inference/payload_statistics.hpp>
+#include <rme/inference/published_likelihood.hpp>
+#include <rme/inference/sensor_model.hpp>
+#include <rme/inference/variational_inference.hpp>
 
 #include "headers/float_core/float_core.hpp"
 #include "headers/float_core/inference.hpp"

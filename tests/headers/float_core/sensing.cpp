@@ -1,5 +1,9 @@
 #include <cmath>
 #include <rme/rme.hpp>
+#include <rme/sensing/friction_direction.hpp>
+#include <rme/sensing/mismatch_detector.hpp>
+#include <rme/sensing/pseudo_wrench.hpp>
+#include <rme/sensing/sample_window.hpp>
 
 #include "headers/float_core/float_core.hpp"
 

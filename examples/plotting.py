@@ -1,4 +1,4 @@
-"""What the plots of the experiments share."""
+"""What the plots of the examples share."""
 import argparse
 import csv
 import pathlib
@@ -40,12 +40,12 @@ def columns(path):
     return {name: np.array(column(rows, name)) for name in rows[0]}
 
 
-def main(description, draw):
-    """plot.py DIR [PICTURE]: draws what an experiment has written to DIR with --output.
+def main(description, draw, name=None, dpi=110):
+    """plot.py DIR [PICTURE]: draws what a program has written to DIR with --output.
 
-    draw(DIR) gives the figure. PICTURE is DIR/<experiment>.png unless said.
+    draw(DIR) gives the figure. PICTURE is DIR/<name>.png unless said, the name that of the script's folder unless given.
     """
-    name = pathlib.Path(sys.argv[0]).resolve().parent.name
+    name = name or pathlib.Path(sys.argv[0]).resolve().parent.name
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("folder", type=pathlib.Path, metavar="DIR")
     parser.add_argument("picture", type=pathlib.Path, metavar="PICTURE", nargs="?")
@@ -56,4 +56,5 @@ def main(description, draw):
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"{parser.prog}: {error}")
     picture.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(picture, dpi=110, metadata={"Software": None})
+    figure.savefig(picture, dpi=dpi, metadata={"Software": None})
+    print(picture)

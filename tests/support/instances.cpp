@@ -1,0 +1,15 @@
+#include "support/instances.hpp"
+
+namespace rme {
+
+template class StarGaussian<double, 7>;
+template class PushFilter<double, 7>;
+template class JointTorqueModel<double, 7>;
+template class BlockAverager<double, 7>;
+template class HypothesisBank<double, 7>;
+template class Tracker<double, 7>;
+template class HypothesisBank<float, 7>;
+template class Tracker<float, 7>;
+template class Estimator<float, 7>;
+
+}  // namespace rme
