@@ -14,6 +14,7 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   origin_ = x_u.norm();
   relaxed_ = stretched_less_ = false;
   B_ = given_;
+  if (B_ == nullptr && count_ > 1) take_root();
   iterations_ = 0;
   held_.fill(false);
   factor_.clear();
@@ -41,6 +42,10 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
     if (iterations_ >= kMaxIterations) {
       status = Status::NotConverged;
       break;
+    }
+    if (B_ == nullptr && count_ > 0) {
+      take_root();
+      remake();
     }
     make(row, sign, entering);
     if (enter(entering)) {
@@ -139,7 +144,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::restore() noexcept {
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   x_ = *x_u_;
-  if (count_ > 0) x_.noalias() += B_->transpose().lazyProduct(factor_.combine(w, count_));
+  if (count_ > 0) shift(factor_.combine(w, count_));
   reach_ = origin_ + x_.norm();
   exact_ = active_hold(kRounding);
   if (!exact_) refine();
@@ -161,7 +166,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
   }
   factor_.backward(y, count_);
   for (int k = 0; k < count_; ++k) active_[index(k)].multiplier += y[index(k)];
-  x_.noalias() += B_->transpose().lazyProduct(factor_.combine(w, count_));
+  shift(factor_.combine(w, count_));
   reach_ = origin_ + x_.norm();
 }
 
