@@ -14,13 +14,13 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::make(int row, Scalar sign, Active& 
   if (row >= MaxRows) {
     const int j = row - MaxRows;
     a.normal = sign * Vector::Unit(j);
-    a.squared_norm = 1;
+    a.norm = 1;
     a.bound = sign * (sign > 0 ? (*x_min_)[j] : (*x_max_)[j]);
     a.rise = a.bound - sign * (*x_u_)[j];
   } else {
     const auto& r = (*rows_)[row];
     a.normal = sign * r.a;
-    a.squared_norm = r.squared_norm;
+    a.norm = std::sqrt(r.squared_norm);
     a.bound = sign * (sign > 0 ? r.lower : r.upper);
     a.rise = a.bound - a.normal.dot(*x_u_);
   }
@@ -37,7 +37,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::look(Active& a) noexcept {
     a.image.setZero();
     a.image.template head<Size>() = along;
     a.curvature = a.normal.dot(along);
-    if (a.curvature > std::sqrt(kEpsilon * a.squared_norm * along.squaredNorm())) return;
+    if (a.curvature > std::sqrt(kEpsilon) * a.norm * along.norm()) return;
     take_root();
   }
   if (a.row >= MaxRows) {
@@ -80,6 +80,7 @@ Scalar ActiveSetSolver<Scalar, Size, MaxRows>::compliance(const Active& a) const
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::stretch_less() noexcept {
   stretched_less_ = true;
+  if (B_ == nullptr) take_root();
   root_ = detail::stretched_less(*B_, std::sqrt(kEpsilon) * B_->norm());
   B_ = &root_;
   remake();
