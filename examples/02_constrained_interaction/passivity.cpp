@@ -8,9 +8,10 @@
 //   liar       an estimate of 3 kg whenever the hand rises and of nothing when it sinks, though it is empty: the worst
 //              that an estimator can do; with an energy tank too
 //
-// The books (energy_books.hpp): stored is kinetic energy and lambda_1 V, supplied is the power of the push, of the
+// The books (energy_books.hpp): stored is kinetic energy and lambda_1 V, supplied is the work of the push, of the
 // wrench error (payload less compensation), of the cycle's turning, and of what CPIC adds for posture and constraints.
 // Passive means that stored minus supplied never rises. It is kept in float as well; with --hours over a working day.
+// What the passive torque puts in because it is held for a tick is shown apart, and so is what remains unaccounted for.
 #include <array>
 #include <cmath>
 #include <cpic_host/energy_books.hpp>
@@ -44,21 +45,24 @@ Keeps the energy books of an arm that is compensated for what a tracker believes
   --seed N          of the first scenario (default 1)
   --help            this text
 
-Exit codes: 0 stored minus supplied energy never rose by more than 0.001 of what was turned over, the books' error goes with the
-period, the tank's bound held; 1 not so; 2 unusable arguments.
+Exit codes: 0 stored minus supplied energy never rose by more than 0.001 of what was turned over, no more than that is
+missing in the books, what holding the torque puts in goes with the period, the tank's bound held; 1 not so; 2 unusable
+arguments.
 )";
 
 enum class Source { Nobody, Tracker, TrackerAndTank, Liar, LiarAndTank };
 constexpr const char* kNames[] = {"nobody", "tracker", "tracker, with a tank", "liar", "liar, with a tank"};
 
 struct Outcome {
-  double turned_over = 0;   // sum of |supplied power| dt [J]
+  double turned_over = 0;   // sum of the work supplied in each tick, without its sign [J]
   double dissipated = 0;    // [J]
   double rise = 0;          // largest of stored minus supplied energy [J]
   double share = 0;         // the same over what the scenario turned over
+  double held = 0;          // put in by holding the passive torque, over what was turned over
   double imbalance = 0;     // largest error of the books, over what was turned over; without friction
   double stored = 0;        // most [J]
   double put_in = 0;        // most that the compensation put in since an empty hand [J]
+  double unpaid = 0;        // most of that which came from holding it, of which a tank knows nothing [J]
   double beyond = -1e9;     // of that over the tank's bound [J]
   double in_float = 0;      // difference of the books in float, over what was turned over
   std::uint64_t worst = 0;  // the scenario with the largest rise: its seed
@@ -71,9 +75,11 @@ struct Outcome {
     if (o.rise >= rise) worst = o.worst;
     rise = std::max(rise, o.rise);
     share = std::max(share, o.share);
+    held = std::max(held, o.held);
     imbalance = std::max(imbalance, o.imbalance);
     stored = std::max(stored, o.stored);
     put_in = std::max(put_in, o.put_in);
+    unpaid = std::max(unpaid, o.unpaid);
     beyond = std::max(beyond, o.beyond);
     in_float = std::max(in_float, o.in_float);
     exchanges += o.exchanges;
@@ -122,7 +128,7 @@ Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, Source source, do
   out.worst = seed;
   Push push;
   int handle = -1;
-  double next_exchange = 1, next_push = 2, lowest = 0, put_in = 0, potential = 0, tick_power = 0;
+  double next_exchange = 1, next_push = 2, lowest = 0, put_in = 0, paid = 0, potential = 0, tick_power = 0;
   const long ticks = std::lround(end / period);
   for (long k = 0; k < ticks; ++k) {
     const double t = static_cast<double>(k) * period;
@@ -163,26 +169,31 @@ Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, Source source, do
     if (host.status() != rme::Status::Ok && host.status() != rme::Status::Infeasible) ++out.refused;
 
     books.update(arm, host, push.at(t));
-    (void)small_books.update(static_cast<float>(books.stored()), static_cast<float>(books.power()));
+    (void)small_books.update_with_work(static_cast<float>(books.stored()), static_cast<float>(books.work()));
     lowest = std::min(lowest, books.residual());
     out.rise = std::max(out.rise, books.residual() - lowest);
     out.stored = std::max(out.stored, books.stored());
-    out.turned_over += std::abs(books.power()) * period;
+    out.turned_over += std::abs(books.work());
     out.in_float = std::max(out.in_float, std::abs(static_cast<double>(small_books.residual()) - books.residual()));
+    out.held = std::max(out.held, std::abs(books.held()));
     if (!faults) out.imbalance = std::max(out.imbalance, std::abs(books.imbalance()));
 
     // What the tank promises is of the torque as it is commanded.
     const double power = arm.dq().dot(host.compensation());
-    put_in += power * period;
+    paid += power * period;
     tick_power = std::max(tick_power, std::abs(power) * period);
     potential = std::max(potential, std::abs(rme::compensation_potential<double>(
                                         belief.payload(), at.position - config.target, at.rotation)));
-    out.put_in = std::max(out.put_in, put_in);
     if (config.tank) out.beyond = std::max(out.beyond, put_in - (config.tank->initial + potential + tick_power));
+    const Vector before = arm.q();
     arm.step(torque);
+    put_in += host.compensation().dot(arm.q() - before);
+    out.put_in = std::max(out.put_in, put_in);
+    out.unpaid = std::max(out.unpaid, std::abs(put_in - paid));
   }
   out.dissipated = -books.residual();
   out.share = out.rise / out.turned_over;
+  out.held /= out.turned_over;
   out.imbalance /= out.turned_over;
   out.in_float /= out.turned_over;
   return out;
@@ -193,27 +204,33 @@ bool faulty(std::uint64_t seed) {
   return seed % 2 == 0;
 }
 
-/// The scenarios with the largest rises at shorter periods: a torque that is held for a tick and an integral by
-/// trapezoids have errors that go with the period.
-/// @return whether the error of the books went with it: what they forget would stay
+/// The scenarios with the largest rises at shorter periods: what a torque puts in because it is held goes with the
+/// period.
+/// @return whether it did, and the books are without error at each: what they forget would stay
 bool print_by_period(const ArmModel<7>& model, const std::array<Outcome, 5>& outcomes, std::uint64_t seed, int count) {
   const std::uint64_t worst[] = {outcomes[static_cast<std::size_t>(Source::Tracker)].worst,
                                  outcomes[static_cast<std::size_t>(Source::Liar)].worst};
   std::printf(
-      "\n| period | largest rise, tracker, seed %llu | liar, seed %llu | tracker, error of the books, share |\n",
+      "\n| period  | largest rise, tracker, seed %llu | liar, seed %llu | tracker, put in by holding, share | missing "
+      "in "
+      "the books, share |\n",
       static_cast<unsigned long long>(worst[0]), static_cast<unsigned long long>(worst[1]));
-  std::printf("|-------:|---------------------:|------------------:|----------------------------------:|\n");
-  double first = 0, last = 0;
+  std::printf(
+      "|--------:|------------------------------:|-------------:|--------------------------------:"
+      "|---------------------------:|\n");
+  double first = 0, last = 0, missing = 0;
   for (const double period : {1e-3, 5e-4, 2.5e-4}) {
     const Outcome tracker = simulate(model, worst[0], Source::Tracker, period, kEnd, faulty(worst[0]));
     const Outcome liar = simulate(model, worst[1], Source::Liar, period, kEnd, faulty(worst[1]));
     Outcome few;
     for (int i = 0; i < std::max(count / 10, 1); ++i)
       few.merge(simulate(model, seed + static_cast<std::uint64_t>(i), Source::Tracker, period, kEnd, false));
-    std::printf("| %.2f ms | %18.2g J | %15.2g J | %33.1e |\n", 1e3 * period, tracker.rise, liar.rise, few.imbalance);
-    (period == 1e-3 ? first : last) = few.imbalance;
+    std::printf("| %.2f ms | %27.2g J | %10.2g J | %31.1e | %26.1e |\n", 1e3 * period, tracker.rise, liar.rise,
+                few.held, few.imbalance);
+    (period == 1e-3 ? first : last) = few.held;
+    missing = std::max(missing, few.imbalance);
   }
-  return last <= 0.5 * first;
+  return last <= 0.5 * first && missing <= kShare;
 }
 
 int run(Arguments& arguments) {
@@ -257,11 +274,13 @@ int run(Arguments& arguments) {
 
   const Outcome day = simulate(model, seed, Source::Tracker, 1e-3, 3600 * hours, false);
   std::printf(
-      "\n%.2f hours with the tracker, %ld exchanges: %.0f J turned over, %.0f J dissipated; largest rise %.2g J,\n",
-      hours, day.exchanges, day.turned_over, day.dissipated, day.rise);
-  std::printf("%.1e of what was turned over; largest error of the books %.1e of it, books in float off by %.1e\n",
-              day.share, day.imbalance, day.in_float);
-  kept = kept && day.share <= kShare && day.in_float <= kShare && day.refused == 0;
+      "\n%.2f hours with the tracker, %ld exchanges: %.0f J turned over, %.0f J dissipated; of what was turned over\n"
+      "  %.1e  largest rise of stored minus supplied\n  %.1e  put in by holding the passive torque\n"
+      "  %.1e  missing in the books; %.1e more in books kept in float\n"
+      "Holding the compensation put in %.2g J of which a tank would not know.\n",
+      hours, day.exchanges, day.turned_over, day.dissipated, day.share, day.held, day.imbalance, day.in_float,
+      day.unpaid);
+  kept = kept && day.share <= kShare && day.imbalance <= kShare && day.in_float <= kShare && day.refused == 0;
   return kept ? 0 : 1;
 }
 

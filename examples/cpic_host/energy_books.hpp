@@ -7,57 +7,95 @@ namespace rme::examples {
 
 /// Stored against supplied energy, from what only a simulation knows: the payload and the push.
 ///
-/// Stored is the kinetic energy, payload included, and lambda_1 V. Supplied is the power of the push, of the payload's
+/// Stored is the kinetic energy, payload included, and lambda_1 V. Supplied is the work of the push, of the payload's
 /// weight as far as it is not compensated (the wrench error of [RME, Eq. 35]), of the flow's driven part, and of every
-/// torque that CPIC adds to J^T F_c: null space and constraints.
+/// torque that CPIC adds to J^T F_c: null space and constraints. All of it is exact: what is commanded is held for a
+/// tick, in which it does the work torque^T (change of q), and so is a push; weight has a potential.
+///
+/// The passive torque J^T F_c is held too. What it does beyond -lambda_1 dV + injected - dissipated, each of them as of
+/// the moving arm, is kept apart: held(), a first-order effect of the period, and as real as the others
+/// (docs/theory_control.md (C18)).
 class EnergyBooks {
  public:
   explicit EnergyBooks(double period) : monitor_(period), period_(period) {}
 
+  /// Enters a tick: `host` has just been updated by `arm`, and what it commands is held until the next one. The payload
+  /// changes at ticks only.
+  /// @param push  held until the next tick as well
   void update(const SyntheticArm<7>& arm, const Host& host, const Eigen::Vector3d& push) noexcept {
-    const JointVector<double, 7>& dq = arm.dq();
-    const Dynamics<7> actual = arm.model().dynamics(arm.q(), dq, arm.payload());
-    const auto& J = arm.kinematics().jacobian;
-    const JointVector<double, 7> passive = J.transpose() * host.passive().wrench().vector();
-    const JointVector<double, 7> mismatch = host.compensation() - (actual.gravity - arm.dynamics().gravity);
-    power_ = dq.dot(J.topRows<3>().transpose() * push + mismatch + host.cpic().torque() - passive) +
-             host.passive().injected_power();
-    (void)monitor_.update(
-        kinetic_energy<double, 7>(actual.mass_matrix, dq) + host.passive().potential_energy() - brought_, power_);
-    const double dissipated = host.passive().dissipated_power();
-    if (open_) dissipated_ += period_ * (dissipated + last_dissipated_) / 2;
-    last_dissipated_ = dissipated;
+    const JointVector<double, 7>&q = arm.q(), &dq = arm.dq();
+    const RigidBody payload = arm.payload();
+    const double kinetic = kinetic_energy<double, 7>(arm.model().dynamics(q, dq, payload).mass_matrix, dq);
+    const PassiveController<double>& passive = host.passive();
+    work_ = 0;
+    if (open_) {
+      const JointVector<double, 7> moved = q - last_.q;
+      const Eigen::Vector3d way = arm.kinematics().position - last_.position;
+      const double by_passive = moved.dot(last_.passive_torque);
+      const double injected = period_ * (last_.injected + passive.injected_power()) / 2;
+      const double dissipated = period_ * (last_.dissipated + passive.dissipated_power()) / 2;
+      work_ = last_.push.dot(way) + moved.dot(last_.torque) - by_passive -
+              (potential(arm, last_.payload) - last_.weight) + injected;
+      held_ += by_passive + passive.potential_energy() - last_.potential - injected + dissipated;
+      dissipated_ += dissipated;
+    }
+    (void)monitor_.update_with_work(kinetic + passive.potential_energy() - brought_, work_);
+    last_ = {q,
+             arm.kinematics().position,
+             host.torque(),
+             arm.kinematics().jacobian.transpose() * passive.wrench().vector(),
+             push,
+             payload,
+             potential(arm, payload),
+             passive.potential_energy(),
+             passive.injected_power(),
+             passive.dissipated_power()};
     open_ = true;
   }
   /// An object came or went between the last update and this one, in full motion. The kinetic energy that it brought or
-  /// took along is not the arm's; and the power of the tick before is that of what was held until now.
+  /// took along is not the arm's.
   /// @param before  what was held until now
   void exchange(const SyntheticArm<7>& arm, const RigidBody& before) noexcept {
     const JointVector<double, 7>& dq = arm.dq();
-    const Dynamics<7> then = arm.model().dynamics(arm.q(), dq, before),
-                      now = arm.model().dynamics(arm.q(), dq, arm.payload());
-    brought_ += kinetic_energy<double, 7>(now.mass_matrix, dq) - kinetic_energy<double, 7>(then.mass_matrix, dq) +
-                period_ / 2 * dq.dot(now.gravity - then.gravity);
+    brought_ += kinetic_energy<double, 7>(arm.model().dynamics(arm.q(), dq, arm.payload()).mass_matrix, dq) -
+                kinetic_energy<double, 7>(arm.model().dynamics(arm.q(), dq, before).mass_matrix, dq);
   }
   void reset() noexcept {
     monitor_.reset();
     open_ = false;
-    dissipated_ = brought_ = 0;
+    dissipated_ = held_ = brought_ = 0;
   }
 
   double stored() const noexcept { return monitor_.storage(); }     // less what objects brought along [J]
-  double power() const noexcept { return power_; }                  // supplied [W]
+  double work() const noexcept { return work_; }                    // supplied in the tick before [J]
   double supplied() const noexcept { return monitor_.supplied(); }  // [J]
+  double dissipated() const noexcept { return dissipated_; }        // by the passive controller's damping [J]
+  double held() const noexcept { return held_; }                    // put in by holding its torque [J]
   /// Stored minus supplied [J]: never rises for a passive system.
   double residual() const noexcept { return monitor_.residual(); }
-  /// Stored minus supplied plus dissipated [J]: zero in continuous time, so all of it is the error of the step.
-  double imbalance() const noexcept { return monitor_.residual() + dissipated_; }
+  /// What the books cannot account for: stored minus supplied, plus dissipated, less held [J]. Friction's work; without
+  /// friction all of it is the error of the simulation.
+  double imbalance() const noexcept { return monitor_.residual() + dissipated_ - held_; }
 
  private:
+  /// What held from one tick to the next.
+  struct Tick {
+    JointVector<double, 7> q;
+    Eigen::Vector3d position;
+    JointVector<double, 7> torque, passive_torque;
+    Eigen::Vector3d push;
+    RigidBody payload;
+    double weight, potential, injected, dissipated;  // of arm and payload [J], lambda_1 V [J], [W], [W]
+  };
+  /// Of the weight of arm and payload [J].
+  static double potential(const SyntheticArm<7>& arm, const RigidBody& payload) noexcept {
+    return arm.model().energy(arm.q(), JointVector<double, 7>::Zero(), payload);
+  }
+
   PassivityMonitor<double> monitor_;
   double period_;
-  double power_ = 0, brought_ = 0;
-  double dissipated_ = 0, last_dissipated_ = 0;
+  Tick last_;
+  double work_ = 0, brought_ = 0, dissipated_ = 0, held_ = 0;
   bool open_ = false;
 };
 

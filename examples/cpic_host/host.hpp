@@ -92,6 +92,8 @@ class Host {
   Status status() const noexcept { return status_; }
   const Cpic<double, 7, 8>& cpic() const noexcept { return cpic_; }
   const PassiveController<double>& passive() const noexcept { return passive_; }
+  /// What the last update commands [N m].
+  const Vector& torque() const noexcept { return torque_; }
   /// What of the compensation is commanded [N m]: what ramp and tank let through.
   const Vector& compensation() const noexcept { return compensation_; }
 

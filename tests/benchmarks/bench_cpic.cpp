@@ -102,7 +102,7 @@ void time_update(int paths) {
   print_by_active("Cpic::update", by_active);
 }
 
-/// @param from_root  as CPIC calls it; or from P, which is factorised as soon as a row is active
+/// @param from_root  as CPIC calls it; or from P, which is factorised as soon as two rows are active
 template <typename Scalar, int Count>
 void time_solver(int paths, bool from_root) {
   using Solver = rme::ActiveSetSolver<Scalar, 7, Count>;
@@ -201,6 +201,7 @@ int main(int argc, char** argv) {
   time_solver<double, 14>(paths, true);
   time_solver<double, 14>(paths, false);
   time_solver<float, 14>(paths, true);
+  time_solver<float, 14>(paths, false);
   time_solver<double, 28>(paths, true);
   time_rows(paths / 2);
   std::printf("\nseeds 4401, 4402, 4403\n");

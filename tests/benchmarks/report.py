@@ -182,7 +182,7 @@ def alternatives(benchmarks):
 
     def add(what, other, ours, theirs):
         if ours and theirs:
-            rows.append(f"| {what} | {ours:.1f} µs | {other} | {theirs:.1f} µs | {theirs / ours:.1f} |")
+            rows.append(f"| {what} | {ours:.3g} µs | {other} | {theirs:.3g} µs | {theirs / ours:.1f} |")
 
     published = "bench_published_o2"
     add("network in float, with its input", "TorchScript in C++, one thread",
@@ -199,6 +199,11 @@ def alternatives(benchmarks):
     add("closed-form VI, from the sums", "stochastic VI, published settings, from the same sums",
         benchmarks.median("bench_inference", "infer: full covariance, from the likelihood"),
         benchmarks.median("bench_inference", "infer: stochastic VI, published settings"))
+    for active in ("no active row", "1 active row", "2 or 3 active rows", "4 or more active rows"):
+        for peer, name in (("quadprog", "quadprog, Fortran from R's package"), ("NLopt SLSQP", "NLopt's SLSQP")):
+            add(f"quadratic program of 14 rows and a box, cold, {active}", name,
+                benchmarks.median("bench_qp_peers", f"ActiveSetSolver::solve, {active}"),
+                benchmarks.median("bench_qp_peers", f"{peer}, {active}"))
     add("model of the arm, momentum observer, pseudo-wrench", "Orocos KDL's ChainExternalWrenchEstimator",
         benchmarks.median("bench_observer", "the same and the arm's model (examples/synthetic_arm)"),
         benchmarks.median("bench_observer", "KDL::ChainExternalWrenchEstimator"))
@@ -209,7 +214,7 @@ def main():
     build = Path(sys.argv[1]).resolve()
     quick = "--quick" in sys.argv
     benchmarks = Benchmarks(build, quick)
-    for name in ("bench_estimator", "bench_scaling", "bench_inference", "bench_cpic", "bench_observer",
+    for name in ("bench_estimator", "bench_scaling", "bench_inference", "bench_cpic", "bench_qp_peers", "bench_observer",
                  "bench_network_o2", "bench_network_native"):
         benchmarks.run(name)
     with tempfile.TemporaryDirectory() as folder:

@@ -151,7 +151,185 @@ TEST_CASE("ActiveSetSolver: steps are short on the way: what leaves the active s
     active += solver.active_count();
   }
   CAPTURE(changes, active);
-  CHECK(changes < 1.68 * active);  // it is 1.64
+  CHECK(changes < 1.642 * active);  // it is 1.639, and 1.644 where a row's way is not shortened by what it has gone
+}
+
+TEMPLATE_TEST_CASE("ActiveSetSolver: active rows hold to a few roundings, however ill the metric", "[qp]", float,
+                   double) {
+  // Far better than Ok promises, which is 1024 of them: x is refined.
+  const unsigned seed = 4014;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  using Solver = rme::ActiveSetSolver<TestType, 3, 6>;
+  using Vector = typename Solver::Vector;
+  const double epsilon = double(std::numeric_limits<TestType>::epsilon());
+  const double decades = sizeof(TestType) == 4 ? 3 : 6;
+  int solved = 0;
+  for (int k = 0; k < 5000; ++k) {
+    CAPTURE(k);
+    Solver solver;
+    typename Solver::Rows rows;
+    typename Solver::Root root = Solver::Root::Zero();
+    Eigen::Vector3d scale;
+    for (double& s : scale) s = std::pow(10.0, decades * uniform(random));
+    root.template topRows<3>() =
+        (scale.asDiagonal() * Eigen::Matrix3d::NullaryExpr([&] { return normal(random); })).template cast<TestType>();
+    for (int i = 0; i < 5; ++i) {
+      const auto a = Vector::NullaryExpr([&] { return TestType(normal(random)); }).eval();
+      REQUIRE(rows.add(a, TestType(-0.2 + 0.5 * normal(random))) == rme::Status::Ok);
+    }
+    const Vector x_u = Vector::NullaryExpr([&] { return TestType(normal(random)); }), far = Vector::Constant(100);
+    const rme::Status status = solver.solve_from_root(root, x_u, rows, -far, far);
+    REQUIRE(status != rme::Status::NotConverged);
+    if (status != rme::Status::Ok) continue;
+    ++solved;
+    const Eigen::Vector3d x = solver.solution().template cast<double>();
+    const double reach = x_u.template cast<double>().norm() + x.norm();
+    for (int i = 0; i < 5; ++i) {
+      const Eigen::Vector3d a = rows[i].a.template cast<double>();
+      const double miss = double(rows[i].lower) - a.dot(x);
+      if (!(solver.multiplier(i) > 0)) continue;
+      REQUIRE(miss <= 20 * epsilon * (a.norm() * reach + std::abs(double(rows[i].lower))));
+    }
+  }
+  CHECK(solved > 4000);
+}
+
+TEMPLATE_TEST_CASE("ActiveSetSolver: with every row and side active the box holds and each slack is what is missing",
+                   "[qp]", float, double) {
+  const unsigned seed = 4015;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<TestType> normal;
+  std::uniform_real_distribution<TestType> uniform;
+  using Solver = rme::ActiveSetSolver<TestType, 2, 2>;
+  using Vector = typename Solver::Vector;
+  int full = 0;
+  for (int k = 0; k < 2000; ++k) {
+    CAPTURE(k);
+    // Two soft rows that ask for more than the box has, nearly parallel, with weights over eight decades.
+    Solver solver;
+    typename Solver::Rows rows;
+    const TestType weight = std::pow(TestType(10), 8 * uniform(random) - 2);
+    const Vector a(1, 1 + normal(random) / 10);
+    const Vector b = a + std::pow(TestType(10), -1 - 2 * uniform(random)) * Vector(normal(random), normal(random));
+    REQUIRE(rows.add(a, 5 + uniform(random), rows.kFree, weight) == rme::Status::Ok);
+    REQUIRE(rows.add(b, 5 + uniform(random), rows.kFree, 2 * weight) == rme::Status::Ok);
+    const Vector box(1 + uniform(random), 1 + uniform(random));
+    typename Solver::Matrix P;
+    const TestType shear = uniform(random) / 3;
+    P << 1 + uniform(random), shear, shear, 1 + uniform(random);
+    REQUIRE(solver.solve(P, Vector::Zero(), rows, -box, box) == rme::Status::Ok);
+    if (solver.active_count() < 4) continue;
+    ++full;
+    REQUIRE((box - solver.solution()).minCoeff() >= 0);
+    REQUIRE((box - solver.solution()).norm() <= Solver::kTolerance * box.norm());
+    for (int i = 0; i < 2; ++i) {
+      const TestType missing = rows[i].lower - rows[i].a.dot(solver.solution());
+      REQUIRE(std::abs(solver.slack(i) - missing) <= Solver::kTolerance * rows[i].lower);
+    }
+  }
+  CHECK(full > 1000);
+}
+
+TEMPLATE_TEST_CASE("ActiveSetSolver: a row that the metric can hardly see holds as well", "[qp]", float, double) {
+  // P moves x along (1, -1) by its rounding only, or not at all in the numbers that there are.
+  using Solver = rme::ActiveSetSolver<TestType, 2, 2>;
+  using Vector = typename Solver::Vector;
+  const Vector far = Vector::Constant(100);
+  for (const TestType tiny : {TestType(0), std::numeric_limits<TestType>::epsilon()}) {
+    Solver solver;
+    typename Solver::Rows rows;
+    REQUIRE(rows.add(Vector(1, -1), 1) == rme::Status::Ok);
+    typename Solver::Matrix P;
+    P << 1, 1, 1, 1 + tiny;
+    REQUIRE(solver.solve(P, Vector(1, 0.5F), rows, -far, far) == rme::Status::Ok);
+    CHECK(solver.solution()[0] - solver.solution()[1] == Approx(1).epsilon(1e-5));
+  }
+  Solver solver;
+  typename Solver::Rows rows;
+  REQUIRE(rows.add(Vector(0, 1), 1) == rme::Status::Ok);
+  // The square of the first is zero, that of the second so small that nothing can be divided by it.
+  const TestType least = std::numeric_limits<TestType>::min();
+  for (const TestType unseen : {least, std::sqrt(least) / 16}) {
+    CAPTURE(unseen);
+    typename Solver::Root root = Solver::Root::Zero();
+    root(0, 0) = 1;
+    root(1, 1) = unseen;
+    REQUIRE(solver.solve_from_root(root, Vector(0.5F, 0), rows, -far, far) == rme::Status::Ok);
+    CHECK(solver.solution() == Vector(0.5F, 1));
+    solver.reset();
+    const typename Solver::Matrix P = Vector(1, unseen * unseen).asDiagonal();
+    REQUIRE(solver.solve(P, Vector(0.5F, 0), rows, -far, far) == rme::Status::Ok);
+    CHECK(solver.solution() == Vector(0.5F, 1));
+    solver.reset();
+  }
+}
+
+/// Ten rows in four dimensions, in a box, half of which copies of others turned by little; a third contradict others.
+template <typename Scalar>
+struct Units {
+  using Solver = rme::ActiveSetSolver<Scalar, 4, 10>;
+  using Vector = typename Solver::Vector;
+  typename Solver::Matrix P;
+  Vector x_u;
+  typename Solver::Rows rows;
+
+  explicit Units(std::mt19937& random) {
+    std::normal_distribution<Scalar> normal;
+    std::uniform_real_distribution<Scalar> uniform;
+    const auto L = Solver::Matrix::NullaryExpr([&] { return normal(random); }).eval();
+    P = L * L.transpose() + Scalar(0.01) * Solver::Matrix::Identity();
+    x_u = 3 * Vector::NullaryExpr([&] { return normal(random); });
+    const bool contradictory = uniform(random) < Scalar(0.3);
+    for (int i = 0; i < 10; ++i) {
+      Vector a = Vector::NullaryExpr([&] { return normal(random); });
+      if (i % 2 == 1) a = rows[i - 1].a + std::pow(Scalar(10), -4 * uniform(random)) * a;
+      REQUIRE(rows.add(a, contradictory ? normal(random) : normal(random) / 4 - 1) == rme::Status::Ok);
+    }
+  }
+  /// Solves it, warm, in other units: of P, of each row, of x.
+  rme::Status solve(Solver& solver, Scalar metric, Scalar row, Scalar length, Scalar box = 5) const {
+    typename Solver::Rows scaled;
+    for (int i = 0; i < rows.size(); ++i)
+      REQUIRE(scaled.add(row * rows[i].a, row * length * rows[i].lower) == rme::Status::Ok);
+    const Vector far = Vector::Constant(box * length);
+    return solver.solve(metric * P, length * x_u, scaled, -far, far);
+  }
+};
+
+TEMPLATE_TEST_CASE("ActiveSetSolver: units do not matter, to the last bit", "[qp]", float, double) {
+  // Powers of two, of which P's root has one half: nothing rounds otherwise. A solver that compares with anything but
+  // what has the same unit gives itself away.
+  const unsigned seed = 4013;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  typename Units<TestType>::Solver solver, boxless, metric[2], row[2], length[2];
+  const TestType small = std::ldexp(TestType(1), -24), large = std::ldexp(TestType(1), 24);
+  int infeasible = 0;
+  for (int k = 0; k < 2000; ++k) {
+    CAPTURE(k);
+    const Units<TestType> problem(random);
+    const rme::Status status = problem.solve(solver, 1, 1, 1);
+    infeasible += status == rme::Status::Infeasible;
+    REQUIRE(status != rme::Status::NotConverged);
+    const rme::Status without_box = problem.solve(boxless, 1, 1, 1, 1e6F);
+    for (const int i : {0, 1}) {
+      const TestType scale = i == 0 ? small : large;
+      REQUIRE(problem.solve(metric[i], scale, 1, 1) == status);
+      REQUIRE(metric[i].solution() == solver.solution());
+      // Of rows and sides of the box with negative multipliers, which have each their unit, either may leave first.
+      REQUIRE(problem.solve(row[i], 1, scale, 1, 1e6F) == without_box);
+      REQUIRE(row[i].solution() == boxless.solution());
+      REQUIRE(problem.solve(length[i], 1, 1, scale) == status);
+      REQUIRE(length[i].solution() == scale * solver.solution());
+      REQUIRE(length[i].iterations() == solver.iterations());
+    }
+  }
+  CHECK(infeasible > 50);
+  CHECK(infeasible < 1000);
 }
 
 TEST_CASE("ActiveSetSolver: in float Ok means what it says, however ill the metric", "[qp]") {

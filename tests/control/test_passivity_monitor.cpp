@@ -38,6 +38,48 @@ TEST_CASE("PassivityMonitor: supplied power is integrated, with an error that va
   CHECK(errors[1] == Approx(errors[0] / 4).epsilon(0.01));
 }
 
+TEST_CASE("PassivityMonitor: the work of a force that is held leaves no residual, its power one of the step",
+          "[passivity]") {
+  // One kilogram on a spring of 1 N/m that is read once a step: the force is held, so that each step is a parabola.
+  // Stored is the kinetic energy, supplied what the force does. Entered as power at the ticks, the force counts as one
+  // that follows the motion, and what holding it puts in is missing.
+  double by_work[2] = {}, by_power[2] = {}, stored[2] = {};
+  for (const int halved : {0, 1}) {
+    const double dt = halved ? 0.005 : 0.01;
+    rme::PassivityMonitor<double> works(dt), powers(dt);
+    double x = 1, v = 0, work = 5;  // before the first tick there is nothing that it could have done
+    for (int k = 0; k * dt < 20 + dt / 2; ++k) {
+      REQUIRE(works.update_with_work(v * v / 2, work) == rme::Status::Ok);
+      REQUIRE(powers.update(v * v / 2, -x * v) == rme::Status::Ok);
+      by_work[halved] = std::max(by_work[halved], std::abs(works.residual()));
+      by_power[halved] = std::abs(powers.residual());
+      const double force = -x, step = dt * v + dt * dt / 2 * force;
+      work = force * step;
+      x += step;
+      v += dt * force;
+      REQUIRE(std::abs(works.power_residual()) < 1e-11);
+    }
+    stored[halved] = works.storage();
+    CHECK(works.supplied() == Approx(works.storage()).epsilon(1e-12));
+  }
+  CHECK(stored[0] > 0.3);
+  CHECK(by_work[0] < 1e-14);
+  CHECK(by_work[1] < 1e-14);
+  CHECK(by_power[0] > 0.01);
+  CHECK(by_power[1] == Approx(by_power[0] / 2).epsilon(0.1));
+}
+
+TEST_CASE("PassivityMonitor: work and power may take turns", "[passivity]") {
+  // P = 1 W and S = t throughout: whichever way a tick is entered, nothing is missing.
+  rme::PassivityMonitor<double> monitor(0.1);
+  for (int k = 0; k <= 100; ++k) {
+    const rme::Status status = k / 3 % 2 == 0 ? monitor.update(0.1 * k, 1) : monitor.update_with_work(0.1 * k, 0.1);
+    REQUIRE(status == rme::Status::Ok);
+    REQUIRE(std::abs(monitor.residual()) < 1e-13);
+  }
+  CHECK(monitor.supplied() == Approx(10));
+}
+
 TEST_CASE("PassivityMonitor: an active system shows", "[passivity]") {
   rme::PassivityMonitor<double> monitor(1e-3);
   for (int k = 0; k <= 1000; ++k) REQUIRE(monitor.update(1 + 0.5e-3 * k, 0.2) == rme::Status::Ok);
@@ -63,6 +105,8 @@ TEST_CASE("PassivityMonitor: bad numbers do not enter the books, and reset() ope
   const double residual = monitor.residual();
   CHECK(monitor.update(std::numeric_limits<double>::quiet_NaN(), 0) == rme::Status::NonFiniteInput);
   CHECK(monitor.update(0, std::numeric_limits<double>::infinity()) == rme::Status::NonFiniteInput);
+  CHECK(monitor.update_with_work(0, std::numeric_limits<double>::infinity()) == rme::Status::NonFiniteInput);
+  CHECK(monitor.update_with_work(std::numeric_limits<double>::quiet_NaN(), 0) == rme::Status::NonFiniteInput);
   CHECK(monitor.residual() == residual);
   monitor.reset();
   CHECK(monitor.residual() == 0);

@@ -91,7 +91,6 @@ class ActiveSetSolver {
  private:
   // Each row is active at most once; so is each coordinate of the box.
   static constexpr int kMaxActive = MaxRows + Size;
-  static constexpr int kMaxRefinements = 4;
   static constexpr Scalar kEpsilon = std::numeric_limits<Scalar>::epsilon();
   static constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
   // A violation below this, relative to a x, is rounding. Half of what is promised: cutting x to the box takes the
@@ -107,20 +106,23 @@ class ActiveSetSolver {
   // A constraint n x >= b held as an equality (less its slack): a row, or for row >= MaxRows a side of the box.
   struct Active {
     int row;
-    Scalar sign;          // +1 at the lower bound, -1 at the upper: n = sign a
-    Vector normal;        // n
-    Scalar squared_norm;  // |n|^2
-    Image image;          // g = B n
-    Scalar curvature;     // g g = n P n
-    Scalar bound;         // b
-    Scalar rise;          // d = b - n x_u, what x has to gain along n
-    Scalar compliance;    // c
-    Scalar multiplier;    // lambda
+    Scalar sign;        // +1 at the lower bound, -1 at the upper: n = sign a
+    Vector normal;      // n
+    Scalar norm;        // |n|
+    Image image;        // g = B n, or P n while there is no B
+    Scalar curvature;   // g g = n P n
+    Scalar bound;       // b
+    Scalar rise;        // d = b - n x_u, what x has to gain along n
+    Scalar compliance;  // c
+    Scalar multiplier;  // lambda
   };
 
   Status run(const Vector& x_u, const Rows& rows, const Vector& x_min, const Vector& x_max) noexcept;
   void make(int row, Scalar sign, Active& a) noexcept;
   Scalar compliance(const Active& a) const noexcept;
+  void look(Active& a) noexcept;
+  void take_root() noexcept;
+  void shift(const Image& z) noexcept;
   void push(int row, Scalar sign) noexcept;
   void store(const Active& a, const typename Factor::Split& split) noexcept;
   void drop(int k) noexcept;
@@ -141,7 +143,7 @@ class ActiveSetSolver {
   // The problem being solved; valid inside solve() only.
   const Matrix* P_ = nullptr;
   const Root* given_ = nullptr;  // null if P is
-  const Root* B_ = nullptr;      // null until a row needs it
+  const Root* B_ = nullptr;      // null until two constraints need it
   const Vector* x_u_ = nullptr;
   const Rows* rows_ = nullptr;
   const Vector* x_min_ = nullptr;

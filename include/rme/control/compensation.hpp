@@ -9,7 +9,7 @@
 namespace rme {
 
 /// tau_comp = -J^T w(theta_hat) [N m]: holds the payload against gravity. Added to the nominal controller's torque
-/// after all else (CPIC included); the nominal model is never corrected (docs/theory_control.md (C18)).
+/// after all else (CPIC included); the nominal model is never corrected (docs/theory_control.md (C20)).
 /// @param payload   theta_hat, the estimate
 /// @param jacobian  J, 6xDofs
 /// @param rotation  R, end-effector axes to world axes
@@ -23,7 +23,7 @@ JointVector<Scalar, Dofs> compensation_torque(const Payload<Scalar>& payload,
   return detail::scaled(Scalar(-1), detail::transposed_product(jacobian, wrench));
 }
 
-/// U = m g.(p + R r) [J] (docs/theory_control.md (C19)): the potential of which compensation_torque is minus the
+/// U = m g.(p + R r) [J] (docs/theory_control.md (C21)): the potential of which compensation_torque is minus the
 /// gradient by q, minus the payload's own.
 /// @param payload   what is held
 /// @param position  p [m], of the end-effector origin, world axes, from a point in the middle of the workspace: what

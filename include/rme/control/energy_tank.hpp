@@ -19,7 +19,7 @@ struct EnergyTankConfig {
 /// Optional, for the compensation torque. While the estimate is constant, right or wrong, that torque is the gradient
 /// of a potential U(theta, q) = m g.(p + R r) (compensation_potential) and gives back on the way down what it gave on
 /// the way up; what can feed a motion is an estimate that changes while the arm moves. The tank pays for that part
-/// only, the energy that the scaled torque puts in less what U has lost (docs/theory_control.md (C20)):
+/// only, the energy that the scaled torque puts in less what U has lost (docs/theory_control.md (C22)):
 ///
 ///     share = min(1, E / reserve),    E <- E + refill dt - (share power dt + change of (share U)),    E <= capacity
 ///

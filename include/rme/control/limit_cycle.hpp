@@ -20,7 +20,7 @@ struct LimitCycleConfig {
 
 /// f(x) = w n x p - k (|p|^2 - r^2) / (|p|^2 + r^2) p - k (n.e) n,   e = x - c, p = e - (n.e) n
 ///
-/// docs/theory_control.md (C22).
+/// docs/theory_control.md (C24).
 ///
 /// The circle |p| = r in the plane is the stable limit cycle; f is smooth everywhere, the centre included. All but the
 /// turning is -grad V of V = k (|p|^2 / 2 - r^2 / 2 - r^2 log((|p|^2 + r^2) / (2 r^2))) + k (n.e)^2 / 2, zero on the

@@ -16,11 +16,15 @@ Scalar kinetic_energy(const JointMatrix<Scalar, Dofs>& mass_matrix, const JointV
   return dq.dot(mass_matrix * dq) / 2;
 }
 
-/// Keeps the books of the storage function S = kinetic + lambda_1 V [RME, Eq. 34] and of the power supplied to the
+/// Keeps the books of the storage function S = kinetic + lambda_1 V [RME, Eq. 34] and of the energy supplied to the
 /// system from outside. Passive means that S grows by no more than what was supplied [RME, Eq. 35;
-/// docs/theory_control.md (C17)]: residual() never rises, but for the error of integrating the power by the trapezoidal
-/// rule and of holding the torque for a tick, both of which vanish with the period. The sum is a compensated one: in
-/// float as well, hours of ticks lose nothing.
+/// docs/theory_control.md (C17)]: residual() never rises, but for what the controller puts in by holding its torque for
+/// a tick (C18), which vanishes with the period.
+///
+/// Supply enters as work or as power. A torque that was held since the last tick has done the work tau^T (q - q_last),
+/// exactly: update_with_work(). Power is integrated by the trapezoidal rule, with an error of the period's square where
+/// it is smooth, but of the period where its torque is held: the two differ by the hold. The sum is a compensated one:
+/// in float as well, hours of ticks lose nothing.
 ///
 /// What to count as supplied is the host's choice of port: the external wrench's power, xdot^T (F_ext + dF_mm); with
 /// PassiveController also its injected_power(), and dq^T of every torque beside J^T F_c: null space, constraint forces.
@@ -38,6 +42,12 @@ class PassivityMonitor {
   /// @param power    supplied power [W] at the same instant
   /// @return Ok, or NonFiniteInput, also for numbers beyond kLargestPlausible: the books stay as they were
   Status update(Scalar storage, Scalar power) noexcept;
+  /// The same by the work done since the last tick.
+  /// @param storage  S [J]
+  /// @param work     supplied since the last update, e.g. tau^T (q - q_last) of a torque held meanwhile [J]; the update
+  ///                 that opens the books takes no notice of it
+  /// @return Ok, or NonFiniteInput, also for numbers beyond kLargestPlausible: the books stay as they were
+  Status update_with_work(Scalar storage, Scalar work) noexcept;
   /// Closes the books: the next update opens new ones. Needed after a change of potential (a new target).
   void reset() noexcept { open_ = false; }
 
@@ -58,19 +68,26 @@ class PassivityMonitor {
 
 template <typename Scalar>
 Status PassivityMonitor<Scalar>::update(Scalar storage, Scalar power) noexcept {
-  if (!plausible(storage) || !plausible(power)) return Status::NonFiniteInput;
+  if (!plausible(power)) return Status::NonFiniteInput;
+  const Status status = update_with_work(storage, period_ * ((power_ + power) / 2));
+  if (status == Status::Ok) power_ = power;
+  return status;
+}
+
+template <typename Scalar>
+Status PassivityMonitor<Scalar>::update_with_work(Scalar storage, Scalar work) noexcept {
+  if (!plausible(storage) || !plausible(work)) return Status::NonFiniteInput;
   if (!open_) {
     open_ = true;
     initial_ = storage;
     supplied_ = detail::CompensatedSum<Scalar>();
     power_residual_ = Scalar(0);
   } else {
-    const Scalar mean = (power_ + power) / 2;
-    supplied_.add(period_ * mean);
-    power_residual_ = (storage - storage_) / period_ - mean;
+    supplied_.add(work);
+    power_residual_ = (storage - storage_ - work) / period_;
   }
   storage_ = storage;
-  power_ = power;
+  power_ = work / period_;
   return Status::Ok;
 }
 

@@ -8,33 +8,64 @@ namespace rme {
 /// The constraint (row, sign) of the present problem, not yet pushed.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::make(int row, Scalar sign, Active& a) noexcept {
-  if (B_ == nullptr) {
-    detail::metric_root(*P_, root_);
-    B_ = &root_;
-  }
   a.row = row;
   a.sign = sign;
   a.multiplier = 0;
   if (row >= MaxRows) {
     const int j = row - MaxRows;
     a.normal = sign * Vector::Unit(j);
-    a.squared_norm = 1;
-    a.image = sign * B_->col(j);
+    a.norm = 1;
     a.bound = sign * (sign > 0 ? (*x_min_)[j] : (*x_max_)[j]);
     a.rise = a.bound - sign * (*x_u_)[j];
   } else {
     const auto& r = (*rows_)[row];
     a.normal = sign * r.a;
-    a.squared_norm = r.squared_norm;
+    a.norm = std::sqrt(r.squared_norm);
+    a.bound = sign * (sign > 0 ? r.lower : r.upper);
+    a.rise = a.bound - a.normal.dot(*x_u_);
+  }
+  look(a);
+  a.compliance = compliance(a);
+}
+
+/// Image and curvature of a constraint. For the only one P itself will do, and a root is not worth its time: x moves
+/// along P n, and n P n is all that has to be divided by. Unless it is mostly the rounding of P n.
+template <typename Scalar, int Size, int MaxRows>
+void ActiveSetSolver<Scalar, Size, MaxRows>::look(Active& a) noexcept {
+  if (B_ == nullptr) {
+    const Vector along = *P_ * a.normal;
+    a.image.setZero();
+    a.image.template head<Size>() = along;
+    a.curvature = a.normal.dot(along);
+    if (a.curvature > std::sqrt(kEpsilon) * a.norm * along.norm()) return;
+    take_root();
+  }
+  if (a.row >= MaxRows) {
+    a.image = a.sign * B_->col(a.row - MaxRows);
+  } else {
     Image image = a.normal[0] * B_->col(0);  // in registers, where a.image could be a part of B for all that is known
     RME_UNROLL
     for (int i = 1; i < Size; ++i) image += a.normal[i] * B_->col(i);
     a.image = image;
-    a.bound = sign * (sign > 0 ? r.lower : r.upper);
-    a.rise = a.bound - a.normal.dot(*x_u_);
   }
   a.curvature = a.image.squaredNorm();
-  a.compliance = compliance(a);
+}
+
+/// From here on the metric is seen through a root; for any number of constraints.
+template <typename Scalar, int Size, int MaxRows>
+void ActiveSetSolver<Scalar, Size, MaxRows>::take_root() noexcept {
+  if (given_ == nullptr) detail::metric_root(*P_, root_);
+  B_ = given_ != nullptr ? given_ : &root_;
+}
+
+/// x <- x + P n_1 w_1 + ... for z = sum_k w_k q_k, the q_k being orthogonalised images.
+template <typename Scalar, int Size, int MaxRows>
+void ActiveSetSolver<Scalar, Size, MaxRows>::shift(const Image& z) noexcept {
+  if (B_ == nullptr) {
+    x_ += z.template head<Size>();
+  } else {
+    x_.noalias() += B_->transpose().lazyProduct(z);
+  }
 }
 
 template <typename Scalar, int Size, int MaxRows>
@@ -49,6 +80,7 @@ Scalar ActiveSetSolver<Scalar, Size, MaxRows>::compliance(const Active& a) const
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::stretch_less() noexcept {
   stretched_less_ = true;
+  if (B_ == nullptr) take_root();
   root_ = detail::stretched_less(*B_, std::sqrt(kEpsilon) * B_->norm());
   B_ = &root_;
   remake();
@@ -58,7 +90,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::stretch_less() noexcept {
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::relax() noexcept {
   relaxed_ = true;
-  B_ = given_;
+  take_root();
   remake();
 }
 

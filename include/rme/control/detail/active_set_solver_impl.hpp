@@ -14,6 +14,7 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   origin_ = x_u.norm();
   relaxed_ = stretched_less_ = false;
   B_ = given_;
+  if (B_ == nullptr && count_ > 1) take_root();
   iterations_ = 0;
   held_.fill(false);
   factor_.clear();
@@ -25,22 +26,21 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   restore();
 
   Status status = Status::Ok;
-  int row = 0, refinements = 0;
+  int row = 0;
   Scalar sign = 0;
   Active entering;
   for (;;) {
     if (!most_violated(row, sign)) {
-      if (exact_ || active_hold(kFeasible)) break;
-      if (refinements++ == kMaxRefinements) {
-        status = Status::NotConverged;
-        break;
-      }
-      refine();
-      continue;
+      if (!exact_ && !active_hold(kFeasible)) status = Status::NotConverged;
+      break;
     }
     if (iterations_ >= kMaxIterations) {
       status = Status::NotConverged;
       break;
+    }
+    if (B_ == nullptr && count_ > 0) {
+      take_root();
+      remake();
     }
     make(row, sign, entering);
     if (enter(entering)) {
@@ -139,7 +139,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::restore() noexcept {
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   x_ = *x_u_;
-  if (count_ > 0) x_.noalias() += B_->transpose().lazyProduct(factor_.combine(w, count_));
+  if (count_ > 0) shift(factor_.combine(w, count_));
   reach_ = origin_ + x_.norm();
   exact_ = active_hold(kRounding);
   if (!exact_) refine();
@@ -161,7 +161,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
   }
   factor_.backward(y, count_);
   for (int k = 0; k < count_; ++k) active_[index(k)].multiplier += y[index(k)];
-  x_.noalias() += B_->transpose().lazyProduct(factor_.combine(w, count_));
+  shift(factor_.combine(w, count_));
   reach_ = origin_ + x_.norm();
 }
 
@@ -178,7 +178,6 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(const Active& a) noexcept {
     factor_.backward(r, count_);
     Scalar blocked = kInfinity;  // the step at which a multiplier reaches zero
     int blocking = -1;
-    int hard = 0;
     for (int k = 0; k < count_; ++k) {
       const Active& other = active_[index(k)];
       const Scalar rate = r[index(k)];
@@ -186,13 +185,11 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(const Active& a) noexcept {
         blocked = std::max(other.multiplier, Scalar(0)) / rate;
         blocking = k;
       }
-      hard += other.compliance > 0 ? 0 : 1;
     }
     const Scalar pivot = split.squared;
-    const bool dependent = (hard >= Size && !(a.compliance > 0)) || !(pivot > 0) ||
-                           (split.cancelled && std::sqrt(pivot) <= 4 * kEpsilon * noise(a, r));
+    const bool dependent = split.cancelled && std::sqrt(pivot) <= 4 * kEpsilon * noise(a, r);
     const Scalar full = dependent ? kInfinity : rise / pivot;
-    if (full <= blocked && !dependent) {
+    if (full < kInfinity && full <= blocked) {  // what the metric cannot see has no step either
       store(a, split);
       ++iterations_;
       return true;
@@ -235,8 +232,7 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance) const
   for (int k = 0; k < count_; ++k) {
     const Active& a = active_[index(k)];
     const Scalar miss = a.bound - a.normal.dot(x_) - a.compliance * std::max(a.multiplier, Scalar(0));
-    if (miss <= tolerance * std::abs(a.bound)) continue;
-    if (!(miss <= tolerance * (std::sqrt(a.squared_norm) * reach_ + std::abs(a.bound)))) return false;
+    if (!(miss <= tolerance * (a.norm * reach_ + std::abs(a.bound)))) return false;
   }
   return true;
 }
