@@ -472,7 +472,7 @@ TEST_CASE("Estimator: declare_empty() makes the hand empty, and data overturn it
   }
 }
 
-TEST_CASE("Estimator: trigger() with nothing or a push to follow carries nothing; with an object, it is no worse",
+TEST_CASE("Estimator: trigger() with nothing or a push to follow carries nothing, and with an object is no worse",
           "[estimator]") {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     CAPTURE(seed);

@@ -78,8 +78,9 @@ TEST_CASE("EventMonitor: an exchange that ends with the mass of before was a pus
   CHECK(story.kind() == EventKind::Pushed);
 }
 
-TEST_CASE("EventMonitor: a payload known for 0.4 s is an event, whatever still drifts; a push that lasts is none yet",
-          "[event_monitor]") {
+TEST_CASE(
+    "EventMonitor: a payload known for 0.4 s is an event, whatever still drifts, and a push that lasts is none yet",
+    "[event_monitor]") {
   Story story;
   story.see(Hypothesis::Empty, 50).see(Hypothesis::Exchanged, 1, 1.0).see(Hypothesis::Filling, 19, 1.0);
   CHECK(story.monitor.changing());

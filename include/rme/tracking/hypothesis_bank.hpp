@@ -109,6 +109,7 @@ class HypothesisBank {
   PerHypothesis<bool> in_question_;
   PerHypothesis<Scalar> squared_;  // e^T S^-1 e per joint
   PerHypothesis<JointVector<Scalar, Dofs>> innovation_, variance_;
+  Scalar goes_on_ = Scalar(0);  // P(the block before was pushed as well, given that this one is)
   bool exchange_likely_ = false;
   bool resumed_ = false;  // the exchange is looked at anew
   bool patient_ = false;  // what is unlikely is looked at all the same: a large residual hides it for seconds
@@ -173,6 +174,9 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
       sum += static_cast<Scalar>(kTransitions[from][to]) * probability_.values[from];
     predicted_.values[to] = sum;
   }
+  constexpr std::size_t pushed = index(Hypothesis::Pushed);
+  goes_on_ = static_cast<Scalar>(kTransitions[pushed][pushed]) * probability_.values[pushed] /
+             std::max(predicted_.values[pushed], Scalar(1e-30));
   if (model_.rough()) predicted_[Hypothesis::Exchanged] *= Scalar(kRoughExchange);
   if (exchange_likely) {  // as likely as all else
     for (Scalar& p : predicted_.values) p *= Scalar(0.5);
@@ -241,9 +245,7 @@ void HypothesisBank<Scalar, Dofs>::settle() noexcept {
     stars_[index(Hypothesis::Steady)] = stars_[index(Hypothesis::Filling)] = stars_[index(Hypothesis::Exchanged)];
   settled_ += model_.block().duration;
   worst_ = std::max(worst_, innovation_squared_);
-  if (!(probability_[Hypothesis::Exchanged] > Scalar(0.5))) return;
-  settled_ = worst_ = age_ = Scalar(0);
-  recent_ = before_;
+  if (probability_[Hypothesis::Exchanged] > Scalar(0.5)) settled_ = worst_ = Scalar(0);
 }
 
 template <typename Scalar, int Dofs>

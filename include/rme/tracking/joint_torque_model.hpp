@@ -55,11 +55,10 @@ class JointTorqueModel {
   /// @param j     0 .. Dofs - 1
   /// @param mass  that is held [kg]: what noise of dq makes of its inertia is noise
   JointObservation<Scalar> observation(int j, Scalar mass) const noexcept;
-  /// Variance by which what holds a joint may have jumped within the block: while others move or its torque changes,
-  /// that of a resting one may be anywhere within its friction [(N m)^2]. 0 if it cannot have.
+  /// Variance by which what holds a joint may have jumped within the block: while others move, that of a resting one
+  /// may be anywhere within its friction [(N m)^2]. 0 if it cannot have.
   Scalar stiction_jump(int j) const noexcept {
-    const bool may = regime_.arm_moves() || torque_change_[j] > 0;
-    if (sensing_ == Sensing::LinkSide || regime_.joint(j).resting < 1 || !may) return Scalar(0);
+    if (sensing_ == Sensing::LinkSide || regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
     return Scalar(6.25) * stiction_variance(j);
   }
   /// Whether the arm's model is taken to be rough.
@@ -97,7 +96,6 @@ class JointTorqueModel {
   static constexpr double kStopNoise = 20;
 
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
-  void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   /// Of what may hold a resting joint [(N m)^2].
   Scalar stiction_variance(int j) const noexcept {
     const Scalar off = Scalar(0.6) * arm_.coulomb[j];
@@ -113,9 +111,6 @@ class JointTorqueModel {
   FrictionRegime<Scalar, Dofs> regime_;
   // How far friction has turned over in this block, and lately (turn()).
   JointVector<Scalar, Dofs> turned_ = JointVector<Scalar, Dofs>::Zero(), turning_ = JointVector<Scalar, Dofs>::Zero();
-  // Of each joint: its torque of late, and by how much that changes within this block beyond noise [N m].
-  JointVector<Scalar, Dofs> recent_torque_ = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> torque_change_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> timing_noise_, inertia_noise_;  // [(N m)^2], [(N m / kg)^2]
 };
 
@@ -132,7 +127,6 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     timing_noise_[j] = change * change + Scalar(0.3) * step * step;
   }
   turn(block);
-  follow_torque(block);
   started_ = true;
   // Noise of dq at both ends of the block is noise of the flange's acceleration: of the force on the payload, and of
   // the moment that turns it, whose arm is the prior's.
@@ -172,24 +166,6 @@ void JointTorqueModel<Scalar, Dofs>::turn(const TorqueBlock<Scalar, Dofs>& block
     const auto direction = [](Scalar velocity) { return velocity / (abs(velocity) + Scalar(kSlow)); };
     turned_[j] = abs(direction(block.velocity[j]) - direction(block_.velocity[j]));
     turning_[j] = std::max(std::min(Scalar(1), turned_[j]), keep * turning_[j]);
-  }
-}
-
-/// A joint that rests balances whatever comes: its torque changes as that of its motor does, and its friction with it.
-/// The change is that of a ramp which is as far ahead of its average over a tenth of a second, without what noise may
-/// be: slow changes show as well as sudden ones.
-template <typename Scalar, int Dofs>
-void JointTorqueModel<Scalar, Dofs>::follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept {
-  using std::abs;
-  using std::sqrt;
-  constexpr double kMemory = 0.08;  // [s]
-  constexpr double kNoise = 1.5;    // standard deviations of a block's, nearly two of the distance's
-  if (!started_) recent_torque_ = block.tau;
-  const Scalar keep = Scalar(kMemory) / (Scalar(kMemory) + block.duration);
-  for (int j = 0; j < Dofs; ++j) {
-    recent_torque_[j] = keep * recent_torque_[j] + (Scalar(1) - keep) * block.tau[j];
-    const Scalar ahead = abs(block.tau[j] - recent_torque_[j]) - Scalar(kNoise) * sqrt(noise_.variance(j));
-    torque_change_[j] = std::max(Scalar(0), ahead * (Scalar(1) - keep) / keep);
   }
 }
 
@@ -245,9 +221,8 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
       const Scalar off = Scalar(0.15) * joint.mean[kCoulomb];
       V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
     } else if (regime_.rests(j)) {
-      const Scalar held = hold * exp(-torque_change_[j] / std::max(arm_.coulomb[j], Scalar(1e-6)));
-      scale(kStiction, held);
-      V(kStiction, kStiction) += (Scalar(1) - held * held) * stiction_variance(j);
+      scale(kStiction, hold);
+      V(kStiction, kStiction) += (Scalar(1) - hold * hold) * stiction_variance(j);
     }
   }
 }

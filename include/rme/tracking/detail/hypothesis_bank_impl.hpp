@@ -106,7 +106,6 @@ void HypothesisBank<Scalar, Dofs>::evaluate_exchange(Star& star) noexcept {
 template <typename Scalar, int Dofs>
 Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept {
   constexpr int n = Dofs;
-  constexpr Hypothesis h = Hypothesis::Pushed;
   JointVector<Scalar, Dofs> e, independent;
   Eigen::Matrix<Scalar, n, kInertial> spread;
   for (int j = 0; j < n; ++j) {
@@ -117,8 +116,7 @@ Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept 
   }
   Eigen::Matrix<Scalar, n, n> S = detail::outer_square(spread);
   for (int j = 0; j < n; ++j) S(j, j) += independent[j];
-  const Scalar goes_on = static_cast<Scalar>(kTransitions[index(h)][index(h)]) * probability_[h] / predicted_[h];
-  return push_.update(e, S, model_.block().jacobian, model_.block().duration, goes_on);
+  return push_.update(e, S, model_.block().jacobian, model_.block().duration, goes_on_);
 }
 
 /// Covariance of what is poured in within a block: any mass, with its centre about where the payload's is.
