@@ -87,7 +87,7 @@ class HypothesisBank {
   /// log P(m is a mass that an arm can tell from nothing, and can hold) of a star.
   Scalar log_plausible(const Star& star) const noexcept;
   bool settled_explains() const noexcept;
-  void settle() noexcept;
+  void follow_exchange() noexcept;
 
   JointTorqueModel<Scalar, Dofs> model_;
   PayloadPrior<Scalar> payload_;
@@ -99,8 +99,8 @@ class HypothesisBank {
   // Age of recent_, and for how long nothing happened in all, up to a second [s]: of a life that is shorter than kAge
   // about half is known.
   Scalar age_ = Scalar(0), known_ = Scalar(0);
-  Scalar settled_ = Scalar(kSettling);  // since an exchange was believed in [s]
-  Scalar worst_ = Scalar(0);            // largest innovation_squared_ since then
+  Scalar since_exchange_ = Scalar(kSettling);  // time since one was believed in [s]
+  Scalar worst_ = Scalar(0);                   // largest innovation_squared_ since then
   PerHypothesis<Scalar> probability_;
 
   // of the block that is being taken in
@@ -111,8 +111,8 @@ class HypothesisBank {
   PerHypothesis<JointVector<Scalar, Dofs>> innovation_, variance_;
   Scalar goes_on_ = Scalar(0);  // P(the block before was pushed as well, given that this one is)
   bool exchange_likely_ = false;
-  bool resumed_ = false;  // the exchange is looked at anew
-  bool patient_ = false;  // what is unlikely is looked at all the same: a large residual hides it for seconds
+  bool exchange_anew_ = false;  // the exchange is looked at anew
+  bool patient_ = false;        // what is unlikely is looked at all the same: a large residual hides it for seconds
   Scalar innovation_squared_ = Scalar(1);
 };
 
@@ -166,7 +166,8 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                          bool kind_likely) noexcept {
   model_.begin(block, regime);
   exchange_likely_ = exchange_likely;
-  resumed_ = settled_ < Scalar(kSettling) && settled_ + block.duration >= Scalar(kSettling) && worst_ > Scalar(kSpoilt);
+  exchange_anew_ = since_exchange_ < Scalar(kSettling) && since_exchange_ + block.duration >= Scalar(kSettling) &&
+                   worst_ > Scalar(kSpoilt);
   patient_ = model_.rough() && kind_likely;
   for (std::size_t to = 0; to < kHypotheses; ++to) {
     Scalar sum = Scalar(0);
@@ -183,7 +184,8 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
     predicted_[Hypothesis::Exchanged] += Scalar(0.5);
   }
   for (std::size_t i = 0; i < kHypotheses; ++i) {
-    in_question_.values[i] = predicted_.values[i] > Scalar(1e-6) || (resumed_ && i == index(Hypothesis::Exchanged));
+    in_question_.values[i] =
+        predicted_.values[i] > Scalar(1e-6) || (exchange_anew_ && i == index(Hypothesis::Exchanged));
     squared_.values[i] = Scalar(1e6);
   }
 }
@@ -201,7 +203,7 @@ template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::evaluate(std::size_t step) noexcept {
   const bool empty_first = predicted_[Hypothesis::Empty] > predicted_[Hypothesis::Steady];
   const auto h = static_cast<Hypothesis>(step < 2 && !empty_first ? 1 - step : step);
-  const bool needed = exchange_likely_ || patient_ || (resumed_ && h == Hypothesis::Exchanged);
+  const bool needed = exchange_likely_ || patient_ || (exchange_anew_ && h == Hypothesis::Exchanged);
   if (step > 0 && !needed && predicted_[h] < Scalar(0.002) && settled_explains()) in_question_[h] = false;
   if (in_question_[h]) take_in(h);
   if (step + 1 < kHypotheses) return;
@@ -239,13 +241,13 @@ void HypothesisBank<Scalar, Dofs>::take_in(Hypothesis h) noexcept {
 /// what it is said to be, say, nuisances have taken on what was not theirs: the payload is then found again, from what
 /// was known of the arm before.
 template <typename Scalar, int Dofs>
-void HypothesisBank<Scalar, Dofs>::settle() noexcept {
+void HypothesisBank<Scalar, Dofs>::follow_exchange() noexcept {
   const bool held = probability_[Hypothesis::Steady] + probability_[Hypothesis::Filling] > Scalar(0.5);
-  if (resumed_ && in_question_[Hypothesis::Exchanged] && held)
+  if (exchange_anew_ && in_question_[Hypothesis::Exchanged] && held)
     stars_[index(Hypothesis::Steady)] = stars_[index(Hypothesis::Filling)] = stars_[index(Hypothesis::Exchanged)];
-  settled_ += model_.block().duration;
+  since_exchange_ += model_.block().duration;
   worst_ = std::max(worst_, innovation_squared_);
-  if (probability_[Hypothesis::Exchanged] > Scalar(0.5)) settled_ = worst_ = Scalar(0);
+  if (probability_[Hypothesis::Exchanged] > Scalar(0.5)) since_exchange_ = worst_ = Scalar(0);
 }
 
 template <typename Scalar, int Dofs>
@@ -274,7 +276,7 @@ Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
   for (const Hypothesis h : {Hypothesis::Steady, Hypothesis::Filling})
     if (in_question_[h] && (!in_question_[settled] || predicted_[h] > predicted_[settled])) settled = h;
   innovation_squared_ = squared_[settled];
-  settle();
+  follow_exchange();
   const Hypothesis sure =
       probability_[Hypothesis::Empty] > probability_[Hypothesis::Steady] ? Hypothesis::Empty : Hypothesis::Steady;
   if (probability_[sure] > Scalar(0.9)) {

@@ -79,8 +79,7 @@ class BlockAverager {
  private:
   // Acceleration that noise of dq may feign over a block [m/s^2].
   static constexpr double kFeigned = 0.02;
-  static constexpr int kNoiseMemory = 50;  // of what noise of dq is: blocks, a second
-  static constexpr double kNoiseBlend = 1.0 / kNoiseMemory;
+  static constexpr int kNoiseMemory = 50;    // of what noise of dq is: blocks, a second
   static constexpr double kNoisiest = 1e-4;  // that a first block may be [(rad/s)^2]
 
   void begin() noexcept;
@@ -114,7 +113,7 @@ class BlockAverager {
   JointVector<Scalar, Dofs> squares_;  // of second differences of dq
   TorqueBlock<Scalar, Dofs> sums_, block_;
   JointVector<Scalar, Dofs> noise_ = JointVector<Scalar, Dofs>::Constant(Scalar(1e-8));  // of dq [(rad/s)^2]
-  int noise_blocks_ = 0;       // that it has been learned from, up to kNoiseMemory
+  int noise_blocks_ = 0;       // that its mean is of, this one not counted
   double target_ = kDuration;  // of this block [s]
 };
 
@@ -136,14 +135,14 @@ template <typename Scalar, int Dofs>
 void BlockAverager<Scalar, Dofs>::learn_noise() noexcept {
   if (differences_ > 0) {
     // The mean of all blocks at first: what an arm's noise is has to be known before it is taken for motion.
-    const Scalar blend = std::max(Scalar(kNoiseBlend), Scalar(1) / static_cast<Scalar>(noise_blocks_ + 1));
+    const Scalar blend = Scalar(1) / static_cast<Scalar>(noise_blocks_ + 1);
     for (int j = 0; j < Dofs; ++j) {
       const Scalar seen = squares_[j] / Scalar(differences_);
       // With single large values cut: accelerations that change are no noise.
       const Scalar most = noise_blocks_ > 0 ? 25 * noise_[j] + Scalar(1e-8) : Scalar(kNoisiest);
       noise_[j] += blend * (std::min(seen, most) - noise_[j]);
     }
-    noise_blocks_ = std::min(noise_blocks_ + 1, kNoiseMemory);
+    noise_blocks_ = std::min(noise_blocks_ + 1, kNoiseMemory - 1);
   }
   // Of the flange's velocity, along the axis where it is largest.
   Scalar largest = Scalar(0);

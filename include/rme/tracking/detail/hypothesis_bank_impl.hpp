@@ -14,7 +14,7 @@ namespace rme {
 template <typename Scalar, int Dofs>
 auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const noexcept -> const Star& {
   const auto h = static_cast<Hypothesis>(from);
-  const bool doubtful = h == Hypothesis::Exchanged || (h != Hypothesis::Empty && settled_ < Scalar(kDoubtful));
+  const bool doubtful = h == Hypothesis::Exchanged || (h != Hypothesis::Empty && since_exchange_ < Scalar(kDoubtful));
   const bool change = h != to && (to == Hypothesis::Empty || (to == Hypothesis::Pushed && doubtful));
   return change ? before_ : stars_[from];
 }
