@@ -48,7 +48,7 @@ class Estimator {
   /// What is believed now.
   const EstimatorState<Scalar>& state() const noexcept { return state_; }
 
-  /// tau_comp = -J^T w(payload) [N m], m^2 / (m^2 + std^2) of it (docs/theory.md (T30)): zero for an empty hand. If the
+  /// tau_comp = -J^T w(payload) [N m], m^2 / (m^2 + std^2) of it (docs/theory.md (T31)): zero for an empty hand. If the
   /// payload's weight is suddenly missing in tau_ext, it is cut at once, before it is known whether it was dropped or
   /// is lifted by somebody. For a pose that is not plausible (plausible.hpp) it is that of the last good sample's pose.
   Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept;
@@ -158,7 +158,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   return Status::Ok;
 }
 
-/// What the tracker believes, as the host is to read it (docs/theory.md (T29)).
+/// What the tracker believes, as the host is to read it (docs/theory.md (T30)).
 template <typename Scalar, int Dofs>
 void Estimator<Scalar, Dofs>::publish() noexcept {
   const TrackerBelief<Scalar>& belief = tracker_.belief();

@@ -155,7 +155,7 @@ void check_life(const rme::StarGaussian<double, kDofs>& before, const rme::StarG
 
 constexpr double kPeriod = 0.02;  // [s]
 
-/// What (T24) says of the residual, and what drifts by 2e-4 N m of the arm's scale, or by 1e-4 of itself.
+/// What (T25) says of the residual, and what drifts by 2e-4 N m of the arm's scale, or by 1e-4 of itself.
 Life life_of(const Scene& scene, int j, Sensing sensing, double speed, double turned = 0) {
   Life life;
   const double keep = std::exp(-speed * kPeriod / (sensing == Sensing::RoughModel ? 1.2 : 0.7)) * std::exp(-turned);
@@ -298,6 +298,45 @@ TEST_CASE("JointTorqueModel: reopening forgets the residual altogether, and of t
   }
 }
 
+TEST_CASE("JointTorqueModel: once a load is gone, its offsets are uncertain by 2 % of what it made each joint bear",
+          "[joint_torque]") {
+  const unsigned seed = 553;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Block block;
+  block.duration = 0.02;
+  block.tau.setZero();
+  block.jacobian.setZero();
+  block.velocity.setZero();
+  block.velocities.setZero();
+  block.torque_step.setZero();
+  block.velocity_noise.setZero();
+  rme::InertialVector<double> held;
+  for (int i = 0; i < rme::kInertial; ++i) {
+    held[i] = normal(random);
+    for (int j = 0; j < kDofs; ++j) block.regressor(j, i) = normal(random);
+  }
+  Regime regime;
+  regime.update(block);
+  Model model(Sensing::LinkSide, kArm, 0.01);
+  model.begin(block, regime);
+  for (const double share : {1.0, 0.3}) {
+    CAPTURE(share);
+    const auto before = any_star(random);
+    auto star = before;
+    model.unload(star, held, share);
+    for (int j = 0; j < kDofs; ++j) {
+      double load = 0;
+      for (int i = 0; i < rme::kInertial; ++i) load += block.regressor(j, i) * held[i];
+      REQUIRE(std::abs(load) > 0.01);
+      Life life;
+      life.Q(rme::kOffset, rme::kOffset) = share * std::pow(0.02 * load, 2);
+      check_life(before, star, j, life);
+    }
+  }
+}
+
 TEST_CASE("JointTorqueModel: what 0.6 ms of the torque's change make, and what its steps hide, is noise",
           "[joint_torque]") {
   Scene scene(Sensing::LinkSide);
@@ -358,7 +397,7 @@ TEST_CASE(
 
 TEST_CASE("JointTorqueModel: noise of dq turns the payload as well, and of a few samples it is that of two ends",
           "[joint_torque]") {
-  // (T25): 2.5 min(2, 12 / n) / T^2 times the mean over the axes of J var(dq) J^T is the variance of the flange's
+  // (T26): 2.5 min(2, 12 / n) / T^2 times the mean over the axes of J var(dq) J^T is the variance of the flange's
   // acceleration. A kilogram turns it into J^T a and, at the root of 0.01 m^2 from it, into moments: of its weight on
   // that arm, and of the angular acceleration.
   Block block;

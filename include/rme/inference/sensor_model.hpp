@@ -10,7 +10,7 @@
 
 namespace rme {
 
-/// Per joint, what tau_ext carries beside the payload (docs/theory.md (T33)):
+/// Per joint, what tau_ext carries beside the payload (docs/theory.md (T34)):
 ///
 ///     tau_ext = payload + offset + stiction - coulomb * direction - viscous * dq + noise
 template <typename Scalar, int Dofs>
@@ -53,7 +53,7 @@ struct SensorModel {
 
   /// Nuisances of the next event, given their posterior over a quiet window with an empty hand. The sensor's offset
   /// survives the event and stiction does not, and the quiet window has shown only their sum: of its mean the share
-  /// rho = offset^2 / (offset^2 + stiction^2) is kept (docs/theory.md (T36)), and the rest of the variance returns.
+  /// rho = offset^2 / (offset^2 + stiction^2) is kept (docs/theory.md (T37)), and the rest of the variance returns.
   /// Friction coefficients stay.
   NuisanceGaussian<Scalar, Dofs> after_event(const NuisanceGaussian<Scalar, Dofs>& baseline) const noexcept;
 

@@ -31,7 +31,7 @@ struct StochasticViConfig {
 /// Climbs the ELBO of a diagonal Gaussian q = N(mu, diag(exp(2 s))) along its one-sample reparametrised gradient: with
 /// theta = mu + exp(s) epsilon, epsilon ~ N(0, 1), and g = grad log p(y, theta),
 ///
-///     d/dmu = g,   d/ds = g exp(s) epsilon + 1                               (docs/theory.md (T40))
+///     d/dmu = g,   d/ds = g exp(s) epsilon + 1                               (docs/theory.md (T41))
 ///
 /// taken by Adam [Kingma and Ba 2015] with decay rates 0.9 and 0.999. The last iterate is the answer, noise included.
 /// Bounded work, but milliseconds of it: not for the control tick. No allocation.

@@ -12,7 +12,7 @@ namespace rme {
 /// stopped. From then on friction gives way to whatever else changes. The joint does not move, so that its torques
 /// cancel, and as long as the payload's torque is steady a change of tau_ext is a change of friction:
 ///
-///     d = d_stop - (tau_ext - tau_ext at the stop) / coulomb     (docs/theory.md (T34))
+///     d = d_stop - (tau_ext - tau_ext at the stop) / coulomb     (docs/theory.md (T35))
 ///
 /// An arm whose payload has just been compensated shows why this matters: the controller draws it back against friction
 /// that points the other way, and the last direction of motion would be wrong by up to twice the friction. While the

@@ -13,7 +13,7 @@ namespace rme {
 
 /// The nuisances' prior, their own lives over a block, and how they enter a block's torque, for one kind of torque
 /// sensing (docs/theory.md, "Friction" and "What counts as unexplained"; observation() is (T22), the residual in
-/// predict() (T24), the noise of dq (T25)):
+/// predict() (T25), the noise of dq (T26)):
 ///
 ///     tau_j = h_j^T phi + offset - d coulomb - dq viscous + residual + s stiction + noise
 ///
@@ -74,6 +74,16 @@ class JointTorqueModel {
       joint.covariance(kResidual, kResidual) = noise_.residual_variance(j);
     }
   }
+  /// What was held is gone. By what the gains of torque sensors are off, what seemed an offset under its load is not one.
+  /// @param held   phi that is gone
+  /// @param share  of the star's weight for which this is so, 0 to 1
+  void unload(Star& star, const InertialVector<Scalar>& held, Scalar share) const noexcept {
+    for (int j = 0; j < Dofs; ++j) {
+      Scalar off = Scalar(0);
+      for (int i = 0; i < kInertial; ++i) off += Scalar(kGain) * block_.regressor(j, i) * held[i];
+      star.joint(j).covariance(kOffset, kOffset) += share * off * off;
+    }
+  }
   /// Forgets how sure the offset was.
   void reopen_offset(Star& star) const noexcept {
     for (int j = 0; j < Dofs; ++j) star.joint(j).covariance(kOffset, kOffset) += arm_.offset[j] * arm_.offset[j];
@@ -89,6 +99,7 @@ class JointTorqueModel {
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< that begin() was given
 
  private:
+  static constexpr double kGain = 0.02;  // error of a torque sensor's gain
   // Of the residual's variance, where the arm's model is rough: what gears hold at rest; the noise of a joint that
   // starts, stops or turns back; and what comes to it the slower the joint is.
   static constexpr double kRoughStiction = 16;
@@ -126,6 +137,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     // Torque that comes in steps stands still between them: what it is off by stays for many blocks.
     timing_noise_[j] = change * change + Scalar(0.3) * step * step;
   }
+  noise_.watch(block, timing_noise_);
   turn(block);
   started_ = true;
   // Noise of dq at both ends of the block is noise of the flange's acceleration: of the force on the payload, and of

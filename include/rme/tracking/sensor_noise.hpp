@@ -15,13 +15,15 @@ namespace rme {
 /// (T23)).
 ///
 /// Noise, per joint: half the mean square of the difference of two innovations in a row. Whatever lasts longer than a
-/// block, be it an offset, friction, or a residual, cancels in it.
+/// block, be it an offset, friction, or a residual, cancels in it. A joint that has become much noisier would make each
+/// block look like an event, and nothing would be learned: watch() tells noise from events by its zigzag.
 ///
 /// Residual, one scale for all joints: if it is right, innovations are white. If they are correlated with those before,
 /// the residual is larger than assumed, and smaller if they are anticorrelated (Mehra, IEEE Trans. Automatic Control
 /// 1970). A residual that is smoother than the model's would never leave them white, however large: where it may be
 /// large, innovations that are smaller than their variance says count against it. Only blocks in which the arm moves
-/// count. What is held takes on part of a residual, which then seems smaller than it is: that counts a third.
+/// count. What is held takes on part of a residual, which then seems smaller than it is: that counts a third. The longer an
+/// arm has moved the more slowly its residual is learned: what is poured in meanwhile is not the model's fault.
 template <typename Scalar, int Dofs>
 class SensorNoise {
  public:
@@ -47,6 +49,27 @@ class SensorNoise {
   Scalar residual_variance(int j) const noexcept {
     const Scalar s = residual_ * share_[j];
     return s * s;
+  }
+
+  /// Notices that a joint has become noisier, whatever else happens: white torque turns back block after block, which
+  /// neither a hand nor a pour does (docs/theory.md (T24)).
+  /// @param block  the next one, each of them
+  /// @param other  variance of what else is noise in it [(N m)^2]
+  void watch(const TorqueBlock<Scalar, Dofs>& block, const Vector& other) noexcept {
+    for (int j = 0; j < Dofs; ++j) {
+      const Scalar slope = block.tau[j] - torque_[j], bend = slope - slope_[j];
+      const Scalar turn = std::min(Scalar(kMost) * variance_[j], Scalar(-0.25) * bend * bend_[j]);
+      torque_[j] = block.tau[j];
+      slope_[j] = slope;
+      bend_[j] = bend;
+      if (watched_ < kBend) continue;
+      zigzag_[j] += (std::max(-variance_[j], turn) - zigzag_[j]) / Scalar(kWatch);
+      if (zigzag_[j] > Scalar(kNoisier) * (variance_[j] + other[j])) {
+        variance_[j] = 2 * zigzag_[j];  // rather too much than too little: from here it is learned quickly
+        blocks_[j] = std::min(blocks_[j], Scalar(kWatch));
+      }
+    }
+    watched_ = std::min(watched_ + 1, kBend);
   }
 
   /// Takes in a block of which it is sure that nothing happened in it.
@@ -84,14 +107,16 @@ class SensorNoise {
     }
     evidence = std::max(Scalar(-6), std::min(Scalar(6), evidence * weight));
     if (!empty && !rough_ && evidence < 0) evidence *= Scalar(kHeld);
-    residual_ *= exp(Scalar(0.5 * kStep) * evidence);
+    motion_ = std::min(motion_ + weight, Scalar(kMotion));
+    residual_ *= exp(Scalar(0.5 * kStep) * evidence * std::min(Scalar(1), Scalar(kNew) / motion_));
     residual_ = std::max(static_cast<Scalar>(range_.least), std::min(static_cast<Scalar>(range_.largest), residual_));
   }
   /// Something happens: the next block has no predecessor.
   void interrupt() noexcept { usable_.fill(false); }
 
  private:
-  static constexpr double kLeastNoise = 0.004;  // [N m] of the arm's scale
+  // [N m] of the arm's scale; a sensor that shows less is not switched on, and will be noisier.
+  static constexpr double kLeastNoise = 0.008;
   /// Of the arm's scale [N m]: where learning begins, and its bounds.
   struct Range {
     double first, least, largest;
@@ -102,10 +127,16 @@ class SensorNoise {
   // learned, it takes its share.
   static constexpr Range kResidual[kSensings] = {{0.02, 0.005, 0.1}, {0.005, 0.005, 0.1}, {0.3, 0.1, 4}};
   static constexpr double kPriorBlocks = 5;  // that the prior counts for
+  static constexpr int kBend = 3;            // blocks before two bends in a row are known
+  static constexpr double kWatch = 25;       // blocks that watch() looks back on
+  static constexpr double kNoisier = 4;      // times the variance, which no hour of events and white noise shows
+  static constexpr double kMost = 9;         // times the variance that one block may show: one event is not enough
   static constexpr double kMemory = 500;     // blocks: 10 s
   static constexpr double kFullWay = 0.002;  // [rad] in a block: 0.1 rad/s
   static constexpr double kHeld = 0.35;      // of evidence for a smaller residual, while something is held
-  static constexpr double kStep = 0.05;      // of log variance per unit of correlation
+  static constexpr double kStep = 0.05;      // of log variance per unit of correlation, at first
+  static constexpr double kNew = 100;        // blocks of motion for which that is so
+  static constexpr double kMotion = 1000;    // blocks of motion that are remembered: 20 s
   static constexpr double kKeep = 0.9;       // of a block: the average looks 0.2 s back
   static constexpr double kShare = 0.5;      // of the size of innovations, in the evidence
   static constexpr double kAdd = 0.4359;     // sqrt(1 - kKeep^2): white innovations have an average of variance 1
@@ -113,9 +144,12 @@ class SensorNoise {
   bool rough_;
   Vector share_, variance_, floor_, blocks_;
   Vector last_ = Vector::Zero(), average_ = Vector::Zero();
+  Vector torque_ = Vector::Zero(), slope_ = Vector::Zero(), bend_ = Vector::Zero(), zigzag_ = Vector::Zero();
+  int watched_ = 0;  // blocks
   std::array<bool, static_cast<std::size_t>(Dofs)> usable_{};
   Range range_;
   Scalar residual_;
+  Scalar motion_ = Scalar(1);  // blocks
   bool was_empty_ = true;
 };
 
