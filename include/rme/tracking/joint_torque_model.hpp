@@ -74,7 +74,8 @@ class JointTorqueModel {
       joint.covariance(kResidual, kResidual) = noise_.residual_variance(j);
     }
   }
-  /// What was held is gone. By what the gains of torque sensors are off, what seemed an offset under its load is not one.
+  /// What was held is gone. By what the gains of torque sensors are off, what seemed an offset under its load is not
+  /// one.
   /// @param held   phi that is gone
   /// @param share  of the star's weight for which this is so, 0 to 1
   void unload(Star& star, const InertialVector<Scalar>& held, Scalar share) const noexcept {

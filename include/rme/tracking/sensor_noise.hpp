@@ -22,8 +22,9 @@ namespace rme {
 /// the residual is larger than assumed, and smaller if they are anticorrelated (Mehra, IEEE Trans. Automatic Control
 /// 1970). A residual that is smoother than the model's would never leave them white, however large: where it may be
 /// large, innovations that are smaller than their variance says count against it. Only blocks in which the arm moves
-/// count. What is held takes on part of a residual, which then seems smaller than it is: that counts a third. The longer an
-/// arm has moved the more slowly its residual is learned: what is poured in meanwhile is not the model's fault.
+/// count. What is held takes on part of a residual, which then seems smaller than it is: that counts a third. The
+/// longer an arm has moved the more slowly its residual is learned: what is poured in meanwhile is not the model's
+/// fault.
 template <typename Scalar, int Dofs>
 class SensorNoise {
  public:
