@@ -35,13 +35,14 @@ struct Scene {
     block.torque_step = torque_step;
     block.velocity_noise.setZero();
     regime.update(block);
-    model.begin(block, regime);
+    model.begin(block, regime, friction_shows);
     model.predict(star);
   }
   double deviation(int j, rme::Nuisance n) const { return std::sqrt(star.joint(j).covariance(n, n)); }
 
   Model model;
   Regime regime;
+  bool friction_shows = false;
   rme::StarGaussian<double, kDofs> star;
 };
 
@@ -208,6 +209,40 @@ TEST_CASE("JointTorqueModel: what holds a resting joint wanders while others mov
   Scene behind(Sensing::LinkSide);
   behind.block(Joints(0, 0.5));
   CHECK(behind.model.stiction_jump(0) == 0);
+}
+
+TEST_CASE("JointTorqueModel: what holds a resting joint turns over as its torque changes, if friction is sure to show",
+          "[joint_torque]") {
+  // Of a ramp what it goes in a block, of a step a fifth of it in the first; a quarter of 1.5 deviations, 0.1 and
+  // 0.2 N m, may be noise.
+  const unsigned seed = 703;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  // In a block in which joint 0 rests at `tau`, and joint 1 turns at `speed`.
+  const auto turned = [&](Scene& scene, double speed, const Joints& tau, double change) {
+    CAPTURE(speed, change);
+    const auto before = scene.star = any_star(random);
+    scene.block(Joints(0, speed), tau);
+    Life life = life_of(scene, 0, Sensing::JointFriction, speed);
+    const double hold_still = speed > 0 ? std::exp(-kPeriod / 20) : 1;
+    hold(life, hold_still * std::exp(-change / kArm.coulomb[0]), std::pow(0.6 * kArm.coulomb[0], 2));
+    check_life(before, scene.star, 0, life);
+  };
+  for (const bool shows : {true, false}) {
+    for (const double speed : {0.0, 0.5}) {
+      CAPTURE(shows, speed);
+      const double counts = shows || speed > 0 ? 1 : 0;
+      Scene step(Sensing::JointFriction);
+      step.friction_shows = shows;
+      step.block(Joints::Zero());
+      turned(step, speed, {0.18, 0.37}, 0);
+      turned(step, speed, {1, 0.2}, counts * 0.25 * (0.8 * (1 - 0.2 * 0.18) - 0.15));
+      Scene ramp(Sensing::JointFriction);
+      ramp.friction_shows = shows;
+      for (int k = 0; k < 200; ++k) ramp.block(Joints::Zero(), Joints(-0.2 * k, 3));
+      turned(ramp, speed, {-0.2 * 200, 3}, counts * (0.2 - 0.25 * 0.15));
+    }
+  }
 }
 
 TEST_CASE("JointTorqueModel: a joint that stops is held by 0.95 of its friction, and shares what is known of that",

@@ -16,6 +16,13 @@
 
 namespace rme {
 
+/// What is known of a block beside its samples.
+struct BlockContext {
+  bool exchange_likely = false;  ///< the host says that the payload changes now
+  bool kind_likely = true;       ///< the arm may well have this bank's kind of torque sensing
+  bool friction_shows = false;   ///< it is certain that joint friction shows in tau_ext
+};
+
 /// Five filters and their probabilities (Blom and Bar-Shalom, IEEE Trans. Automatic Control 1988; docs/theory.md,
 /// "Hypotheses"). A block is taken in by begin(), evaluate() of every hypothesis, finish(), in that order; they may be
 /// spread over several ticks, and until finish() everything else says what it said before.
@@ -32,12 +39,11 @@ class HypothesisBank {
                  Scalar rated_payload) noexcept;
 
   /// Starts a block: probabilities before it is looked at (docs/theory.md (T19)).
-  /// @param block            the next one
-  /// @param regime           which joints rest in it
-  /// @param exchange_likely  the host says that the payload changes now
-  /// @param kind_likely      the arm may well have this kind of torque sensing
-  void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime, bool exchange_likely,
-             bool kind_likely) noexcept;
+  /// @param block    the next one
+  /// @param regime   which joints rest in it
+  /// @param context  what else is known of it
+  void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
+             const BlockContext& context) noexcept;
   /// Mixes, predicts and updates one hypothesis, the one that comes `step`th, 0 .. kHypotheses - 1: first the likeliest
   /// one that needs no event. If that explains the block, most others are out of the question.
   void evaluate(std::size_t step) noexcept;
@@ -162,13 +168,13 @@ void HypothesisBank<Scalar, Dofs>::reopen_offsets() noexcept {
 
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
-                                         const FrictionRegime<Scalar, Dofs>& regime, bool exchange_likely,
-                                         bool kind_likely) noexcept {
-  model_.begin(block, regime);
-  exchange_likely_ = exchange_likely;
+                                         const FrictionRegime<Scalar, Dofs>& regime,
+                                         const BlockContext& context) noexcept {
+  model_.begin(block, regime, context.friction_shows);
+  exchange_likely_ = context.exchange_likely;
   exchange_anew_ = since_exchange_ < Scalar(kSettling) && since_exchange_ + block.duration >= Scalar(kSettling) &&
                    worst_ > Scalar(kSpoilt);
-  patient_ = model_.rough() && kind_likely;
+  patient_ = model_.rough() && context.kind_likely;
   for (std::size_t to = 0; to < kHypotheses; ++to) {
     Scalar sum = Scalar(0);
     for (std::size_t from = 0; from < kHypotheses; ++from)
@@ -179,7 +185,7 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
   goes_on_ = static_cast<Scalar>(kTransitions[pushed][pushed]) * probability_.values[pushed] /
              std::max(predicted_.values[pushed], Scalar(1e-30));
   if (model_.rough()) predicted_[Hypothesis::Exchanged] *= Scalar(kRoughExchange);
-  if (exchange_likely) {  // as likely as all else
+  if (context.exchange_likely) {  // as likely as all else
     for (Scalar& p : predicted_.values) p *= Scalar(0.5);
     predicted_[Hypothesis::Exchanged] += Scalar(0.5);
   }

@@ -49,7 +49,12 @@ class JointTorqueModel {
     return star;
   }
   /// Starts a block: what follows is about it.
-  void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime) noexcept;
+  /// @param block           the next one
+  /// @param regime          which joints rest in it
+  /// @param friction_shows  it is certain that joint friction shows in tau_ext: otherwise what changes the torque of an
+  ///                        arm that rests is not taken for its friction
+  void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
+             bool friction_shows = false) noexcept;
   /// The nuisances' own lives over the block.
   void predict(Star& star) const noexcept;
   /// @param j     0 .. Dofs - 1
@@ -107,6 +112,7 @@ class JointTorqueModel {
   static constexpr double kTurnNoise = 3;
   static constexpr double kStopNoise = 20;
 
+  void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   /// Of what may hold a resting joint [(N m)^2].
   Scalar stiction_variance(int j) const noexcept {
@@ -118,17 +124,20 @@ class JointTorqueModel {
   ArmPrior<Scalar, Dofs> arm_;
   Scalar inertia_arm_;
   SensorNoise<Scalar, Dofs> noise_;
-  bool started_ = false;
+  bool started_ = false, friction_shows_ = false;
   TorqueBlock<Scalar, Dofs> block_;
   FrictionRegime<Scalar, Dofs> regime_;
   // How far friction has turned over in this block, and lately (turn()).
   JointVector<Scalar, Dofs> turned_ = JointVector<Scalar, Dofs>::Zero(), turning_ = JointVector<Scalar, Dofs>::Zero();
+  // Of each joint: its torque of late, and by how much that changes within this block beyond noise [N m].
+  JointVector<Scalar, Dofs> recent_torque_ = JointVector<Scalar, Dofs>::Zero();
+  JointVector<Scalar, Dofs> torque_change_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> timing_noise_, inertia_noise_;  // [(N m)^2], [(N m / kg)^2]
 };
 
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
-                                           const FrictionRegime<Scalar, Dofs>& regime) noexcept {
+                                           const FrictionRegime<Scalar, Dofs>& regime, bool friction_shows) noexcept {
   constexpr double kTiming = 0.0006;  // [s]
   // tau and the motion that goes with it may be a millisecond apart; and the lag of an observer that is not quite what
   // it is said to be is left in as a share of every change.
@@ -139,6 +148,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     timing_noise_[j] = change * change + Scalar(0.3) * step * step;
   }
   noise_.watch(block, timing_noise_);
+  follow_torque(block);
   turn(block);
   started_ = true;
   // Noise of dq at both ends of the block is noise of the flange's acceleration: of the force on the payload, and of
@@ -163,6 +173,25 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     inertia_noise_[j] = linear * lever[j] + (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) * turn[j];
   block_ = block;
   regime_ = regime;
+  friction_shows_ = friction_shows;
+}
+
+/// A joint that rests balances whatever comes: its torque changes as that of its motor does, and its friction with it.
+/// The change is that of a ramp which is as far ahead of its average over a tenth of a second, without what noise may
+/// be: slow changes show as well as sudden ones.
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept {
+  using std::abs;
+  using std::sqrt;
+  constexpr double kMemory = 0.08;  // [s]
+  constexpr double kNoise = 1.5;    // standard deviations of a block's, nearly two of the distance's
+  if (!started_) recent_torque_ = block.tau;
+  const Scalar keep = Scalar(kMemory) / (Scalar(kMemory) + block.duration);
+  for (int j = 0; j < Dofs; ++j) {
+    recent_torque_[j] = keep * recent_torque_[j] + (Scalar(1) - keep) * block.tau[j];
+    const Scalar ahead = abs(block.tau[j] - recent_torque_[j]) - Scalar(kNoise) * sqrt(noise_.variance(j));
+    torque_change_[j] = std::max(Scalar(0), ahead * (Scalar(1) - keep) / keep);
+  }
 }
 
 /// How far each joint's friction has turned over: a change of v / (|v| + kSlow), 1 from rest to motion, 2 for a
@@ -234,8 +263,10 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
       const Scalar off = Scalar(0.15) * joint.mean[kCoulomb];
       V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
     } else if (regime_.rests(j)) {
-      scale(kStiction, hold);
-      V(kStiction, kStiction) += (Scalar(1) - hold * hold) * stiction_variance(j);
+      const Scalar change = regime_.arm_moves() || friction_shows_ ? torque_change_[j] : Scalar(0);
+      const Scalar held = hold * exp(-change / arm_.coulomb[j]);
+      scale(kStiction, held);
+      V(kStiction, kStiction) += (Scalar(1) - held * held) * stiction_variance(j);
     }
   }
 }

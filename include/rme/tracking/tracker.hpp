@@ -62,8 +62,13 @@ class Tracker {
     regime_.update(block);
     duration_ = block.duration;
     speed_ = block.velocity.norm();
-    for (std::size_t k = 0; k < kSensings; ++k)
-      banks_[k].begin(block, regime_, exchange_likely, belief_.sensing[k] > Scalar(1e-3));
+    BlockContext context;
+    context.exchange_likely = exchange_likely;
+    context.friction_shows = belief_.sensing[static_cast<std::size_t>(Sensing::LinkSide)] < Scalar(kCertain);
+    for (std::size_t k = 0; k < kSensings; ++k) {
+      context.kind_likely = belief_.sensing[k] > Scalar(kUnlikely);
+      banks_[k].begin(block, regime_, context);
+    }
     step_ = kSteps;
   }
   /// Does one step of what is to be done for the block.
@@ -134,6 +139,8 @@ class Tracker {
   // rough, one is to be convinced.
   static constexpr std::array<double, kSensings> kEvidence = {-8, 0, -40};  // before the first sample [nats]
   static constexpr double kDecided = 300;  // an arm that was serviced is recognised after some seconds of motion [nats]
+  static constexpr double kUnlikely = 1e-3;  // of a kind that is not looked into with patience
+  static constexpr double kCertain = 1e-6;   // of link-side sensing, where friction is certain to show
   static constexpr double kLargestHealth = 100;
   static constexpr double kPushed = 0.9;     // of the weight, that a push takes
   static constexpr double kFullSpeed = 0.2;  // slower than this friction shows less than stiction hides [rad/s]
