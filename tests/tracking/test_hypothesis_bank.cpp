@@ -730,7 +730,7 @@ TEST_CASE("HypothesisBank: what nothing is seen of settles at the variance of th
   Arm<7> arm(seed);
   arm.pose();
   auto bank = bank_of(arm);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < 1500; ++k) {
     auto block = arm.block(kEmptyHand, rme::Vector6<double>::Zero(), 30);
     block.velocity.setConstant(0.5);
     block.velocities.setConstant(0.5);

@@ -16,13 +16,6 @@
 
 namespace rme {
 
-/// What is known of a block beside its samples.
-struct BlockContext {
-  bool exchange_likely = false;  ///< the host says that the payload changes now
-  bool kind_likely = true;       ///< the arm may well have this bank's kind of torque sensing
-  bool friction_shows = false;   ///< it is certain that joint friction shows in tau_ext
-};
-
 /// Five filters and their probabilities (Blom and Bar-Shalom, IEEE Trans. Automatic Control 1988; docs/theory.md,
 /// "Hypotheses"). A block is taken in by begin(), evaluate() of every hypothesis, finish(), in that order; they may be
 /// spread over several ticks, and until finish() everything else says what it said before.

@@ -29,6 +29,13 @@ struct TorqueBlock {
   int samples = 0;                                      ///< that were averaged
 };
 
+/// What is known of a block beside its samples.
+struct BlockContext {
+  bool exchange_likely = false;  ///< the host says that the payload changes now
+  bool kind_likely = true;       ///< the arm may well have this bank's kind of torque sensing
+  bool friction_shows = false;   ///< it is certain that joint friction shows in tau_ext
+};
+
 /// Gathers samples into blocks.
 ///
 /// The observer's lag: r_k = r_k-1 + b (tau_k - r_k-1) is inverted, tau_k = r_k-1 + (r_k - r_k-1) / b. White noise of
