@@ -236,8 +236,9 @@ TEST_CASE("Estimator: noise of dq at rest does not pass for motion in which fric
   CHECK(error < 0.03);
 }
 
-TEST_CASE("Estimator: an arm that has become four times as noisy keeps what it holds, and 3 s later nothing happens to it",
-          "[estimator]") {
+TEST_CASE(
+    "Estimator: an arm that is four times as noisy all at once keeps what it holds, and 3 s later nothing happens",
+    "[estimator]") {
   for (unsigned seed = 160; seed < 165; ++seed) {
     CAPTURE(seed);
     Bench bench(seed);

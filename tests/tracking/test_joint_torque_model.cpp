@@ -341,7 +341,7 @@ TEST_CASE("JointTorqueModel: once a load is gone, its offsets are uncertain by 2
   std::normal_distribution<double> normal;
   Block block;
   block.duration = 0.02;
-  block.tau.setZero();
+  block.samples = 20;
   block.jacobian.setZero();
   block.velocity.setZero();
   block.velocities.setZero();
@@ -350,24 +350,38 @@ TEST_CASE("JointTorqueModel: once a load is gone, its offsets are uncertain by 2
   rme::InertialVector<double> held;
   for (int i = 0; i < rme::kInertial; ++i) {
     held[i] = normal(random);
-    for (int j = 0; j < kDofs; ++j) block.regressor(j, i) = normal(random);
+    for (int j = 0; j < kDofs; ++j) block.regressor(j, i) = (j == 0 ? 1 : 10) * normal(random);
   }
-  Regime regime;
-  regime.update(block);
-  Model model(Sensing::LinkSide, kArm, 0.01);
-  model.begin(block, regime);
-  for (const double share : {1.0, 0.3}) {
-    CAPTURE(share);
-    const auto before = any_star(random);
-    auto star = before;
-    model.unload(star, held, share);
-    for (int j = 0; j < kDofs; ++j) {
-      double load = 0;
-      for (int i = 0; i < rme::kInertial; ++i) load += block.regressor(j, i) * held[i];
-      REQUIRE(std::abs(load) > 0.01);
-      Life life;
-      life.Q(rme::kOffset, rme::kOffset) = share * std::pow(0.02 * load, 2);
-      check_life(before, star, j, life);
+  const Joints load = block.regressor * held;
+  // The second joint's offset was better known before any sample.
+  REQUIRE(0.02 * std::abs(load[0]) < kArm.offset[0]);
+  REQUIRE(0.02 * std::abs(load[1]) > kArm.offset[1]);
+  // What is left of the load, in the first joint or the second.
+  for (const double left : {0.0, 0.08, -0.08, 0.12, -0.12, 1.0}) {
+    for (int at = 0; at < kDofs; ++at) {
+      CAPTURE(left, at);
+      Model model(Sensing::LinkSide, kArm, 0.01);
+      const auto before = model.prior();
+      const double deviation = std::sqrt(std::pow(kArm.offset[at], 2) + model.noise().variance(at));
+      block.tau.setZero();
+      block.tau[at] = left * load[at];
+      if (left != 0) block.tau[at] += std::copysign(4.9 * deviation, block.tau[at]);
+      REQUIRE((std::abs(left) > 0.1) == (std::abs(block.tau[at]) > 0.1 * std::abs(load[at]) + 5 * deviation));
+      Regime regime;
+      regime.update(block);
+      model.begin(block, regime);
+      for (const double share : {1.0, 0.3}) {
+        CAPTURE(share);
+        auto star = before;
+        model.unload(star, held, share);
+        for (int j = 0; j < kDofs; ++j) {
+          Life life;
+          if (std::abs(left) < 0.1)
+            life.Q(rme::kOffset, rme::kOffset) =
+                share * std::pow(std::min(0.02 * std::abs(load[j]), kArm.offset[j]), 2);
+          check_life(before, star, j, life);
+        }
+      }
     }
   }
 }

@@ -108,7 +108,8 @@ class HypothesisBank {
   PerHypothesis<bool> in_question_;
   PerHypothesis<Scalar> squared_;  // e^T S^-1 e per joint
   PerHypothesis<JointVector<Scalar, Dofs>> innovation_, variance_;
-  Scalar goes_on_ = Scalar(0);  // P(the block before was pushed as well, given that this one is)
+  Scalar goes_on_ = Scalar(0);   // P(the block before was pushed as well, given that this one is)
+  Scalar unloaded_ = Scalar(0);  // share of what the hypothesis taken in begins with in which something else was so
   bool exchange_likely_ = false;
   bool exchange_anew_ = false;  // the exchange is looked at anew
   bool patient_ = false;        // what is unlikely is looked at all the same: a large residual hides it for seconds
@@ -218,6 +219,7 @@ void HypothesisBank<Scalar, Dofs>::take_in(Hypothesis h) noexcept {
   model_.predict(star);
   switch (h) {
     case Hypothesis::Empty:
+      if (unloaded_ > Scalar(kNegligible)) model_.unload(star, before_.mean(), unloaded_);
       likelihood_[h] = update(star);
       break;
     case Hypothesis::Filling:

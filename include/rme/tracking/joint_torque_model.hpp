@@ -79,14 +79,23 @@ class JointTorqueModel {
       joint.covariance(kResidual, kResidual) = noise_.residual_variance(j);
     }
   }
-  /// What was held is gone. By what the gains of torque sensors are off, what seemed an offset under its load is not
-  /// one.
+  /// What was held is gone, if all joints bear within a tenth of it less, beside five deviations. By what the gains of
+  /// torque sensors are off, what seemed an offset under its load is then not one; at most as much as before any
+  /// sample.
+  /// @param star   of the empty hand in this block, predicted
   /// @param held   phi that is gone
   /// @param share  of the star's weight for which this is so, 0 to 1
   void unload(Star& star, const InertialVector<Scalar>& held, Scalar share) const noexcept {
+    using std::abs;
+    using std::sqrt;
+    JointVector<Scalar, Dofs> load = JointVector<Scalar, Dofs>::Zero();
     for (int j = 0; j < Dofs; ++j) {
-      Scalar off = Scalar(0);
-      for (int i = 0; i < kInertial; ++i) off += Scalar(kGain) * block_.regressor(j, i) * held[i];
+      for (int i = 0; i < kInertial; ++i) load[j] += block_.regressor(j, i) * held[i];
+      const auto p = star.predict(j, observation(j, Scalar(0)));
+      if (!(abs(p.innovation) < Scalar(kGone) * abs(load[j]) + 5 * sqrt(p.variance))) return;
+    }
+    for (int j = 0; j < Dofs; ++j) {
+      const Scalar off = std::min(Scalar(kGain) * abs(load[j]), arm_.offset[j]);
       star.joint(j).covariance(kOffset, kOffset) += share * off * off;
     }
   }
@@ -106,6 +115,7 @@ class JointTorqueModel {
 
  private:
   static constexpr double kGain = 0.02;  // error of a torque sensor's gain
+  static constexpr double kGone = 0.1;   // of a load, that may seem to be left where all of it has gone
   // Of the residual's variance, where the arm's model is rough: what gears hold at rest; the noise of a joint that
   // starts, stops or turns back; and what comes to it the slower the joint is.
   static constexpr double kRoughStiction = 16;

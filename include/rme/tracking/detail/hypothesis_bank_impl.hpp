@@ -44,9 +44,8 @@ void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
   }
   if (parts <= 1) {
     out = source(last, h);
-    if (!emptied) return;
-    out.empty_payload();
-    if (last != index(h)) model_.unload(out, before_.mean(), Scalar(1));
+    if (emptied) out.empty_payload();
+    unloaded_ = last == index(h) ? Scalar(0) : Scalar(1);
     return;
   }
   std::array<const Star*, kHypotheses> from{};
@@ -55,7 +54,7 @@ void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
     from[i] = &source(i, h);
   }
   out = emptied ? Star::mix_emptied(from, weight) : Star::mix(from, weight);
-  if (emptied) model_.unload(out, before_.mean(), Scalar(1) - weight[index(h)]);
+  unloaded_ = Scalar(1) - weight[index(h)];
 }
 
 /// Takes the block in, joint by joint.
