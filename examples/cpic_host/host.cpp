@@ -57,10 +57,10 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
   compensation_ = ramp_.torque();
   if (tank_) {  // heights from the target on: the middle of where this arm works
     status_ = tank_->update(
-        dq.dot(ramp_.torque()),
+        q, ramp_.torque(),
         compensation_potential<double>(payload_.payload(), kinematics.position - config_.target, kinematics.rotation));
     if (status_ != Status::Ok) return torque_;
-    compensation_ *= tank_->share();
+    compensation_ = tank_->torque();
   }
 
   // The rows rest on a prediction of ddq. What the last command does not explain of the motion since (a push,

@@ -96,6 +96,8 @@ class Host {
   const Vector& torque() const noexcept { return torque_; }
   /// What of the compensation is commanded [N m]: what ramp and tank let through.
   const Vector& compensation() const noexcept { return compensation_; }
+  /// The share of the compensation that the tank lets through, 0 to 1; 1 without a tank.
+  double tank_share() const noexcept { return tank_ ? tank_->share() : 1; }
 
  private:
   /// CPIC under rows that allow for this error of the prediction.
@@ -113,7 +115,7 @@ class Host {
   BarrierPoles<double> wall_poles_;
   Cpic<double, 7, 8> cpic_;
   CompensationRamp<double, 7> ramp_;
-  std::optional<EnergyTank<double>> tank_;
+  std::optional<EnergyTank<double, 7>> tank_;
   Vector compensation_ = Vector::Zero();
   PredictionErrorWatch<double, 7> prediction_;
   PayloadUncertainty<double, 7> uncertainty_;

@@ -141,14 +141,14 @@ struct Loop {
   static_assert(noexcept(rme::compensation_torque<Scalar, Dofs>(a<Payload>(), a<Jacobian>(), a<Matrix3>())));
   static_assert(noexcept(my<rme::CompensationRamp<Scalar, Dofs>>().update(a<Vector>())));
   static_assert(noexcept(a<rme::CompensationRamp<Scalar, Dofs>>().torque()));
-  static_assert(noexcept(my<rme::EnergyTank<Scalar>>().update(Scalar(1))));
-  static_assert(noexcept(my<rme::EnergyTank<Scalar>>().update(Scalar(1), Scalar(1))));
+  static_assert(noexcept(my<rme::EnergyTank<Scalar, Dofs>>().update(a<Vector>(), a<Vector>(), Scalar(1))));
+  static_assert(noexcept(my<rme::EnergyTank<Scalar, Dofs>>().reset()));
   static_assert(noexcept(my<rme::PredictionErrorWatch<Scalar, 7>>().observe(a<rme::JointVector<Scalar, 7>>())));
   static_assert(noexcept(my<rme::PredictionErrorWatch<Scalar, 7>>().predict(a<rme::JointVector<Scalar, 7>>())));
   static_assert(noexcept(my<rme::PayloadUncertainty<Scalar, 7>>().update(
       a<rme::PayloadGaussian<Scalar>>(), a<rme::PerHypothesis<Scalar>>(), a<rme::Jacobian<Scalar, 7>>(),
       a<rme::Matrix3<Scalar>>(), a<rme::JointMatrix<Scalar, 7>>())));
-  static_assert(noexcept(a<rme::EnergyTank<Scalar>>().share()));
+  static_assert(noexcept(a<rme::EnergyTank<Scalar, Dofs>>().torque()));
   static_assert(noexcept(rme::kinetic_energy(a<Matrix>(), a<Vector>())));
   static_assert(noexcept(my<rme::PassivityMonitor<Scalar>>().update(Scalar(1), Scalar(1))));
 };

@@ -46,7 +46,7 @@ TEST_CASE("Allocations: none in the controller, feasible or not", "[realtime]") 
   const rme::Posture<double, 7> posture({});
   const rme::JointLimits<double, 7> limits({Vector7::Constant(-2), Vector7::Constant(2)});
   rme::CompensationRamp<double, 7> ramp(kPeriod);
-  rme::EnergyTank<double> tank(kPeriod);
+  rme::EnergyTank<double, 7> tank(kPeriod);
   rme::PassivityMonitor<double> monitor(kPeriod);
   rme::Cpic<double, 7>::Rows rows;
   int ok = 0, infeasible = 0, active = 0, refused = 0;
@@ -83,7 +83,7 @@ TEST_CASE("Allocations: none in the controller, feasible or not", "[realtime]") 
       ok += status == Status::Ok;
       infeasible += status == Status::Infeasible;
       active += cpic.active_count();
-      refused += tank.update(dq.dot(ramp.torque())) != Status::Ok;
+      refused += tank.update(q, ramp.torque()) != Status::Ok;
       refused += monitor.update(rme::kinetic_energy(input.mass_matrix, dq) + passive.potential_energy(),
                                 dq.dot(observer.tau_ext())) != Status::Ok;
     }

@@ -115,7 +115,7 @@ TEST_CASE("Allocations: none in the building blocks: window, detector, network p
   rme::MismatchDetector<1> published(kPeriod, rme::MismatchDetectorConfig::published());
   Statistics sums;
   rme::Wrench<double> wrench;
-  rme::EnergyTank<double> tank(kPeriod);
+  rme::EnergyTank<double, 7> tank(kPeriod);
   int detected = 0, asked = 0, inferred = 0;
   double push = 0;
   const int count = allocations_of([&] {
@@ -144,7 +144,7 @@ TEST_CASE("Allocations: none in the building blocks: window, detector, network p
         push += log_evidence;
       if (rme::pseudo_wrench(sample.raw.jacobian, sample.raw.tau_ext, 0.01, wrench) == Status::Ok)
         wrench = rme::in_end_effector_axes(wrench, sample.raw.rotation);
-      inferred += tank.update(wrench.force.norm()) == Status::Ok;
+      inferred += tank.update(sample.raw.dq, sample.raw.tau_ext, wrench.force.norm()) == Status::Ok;  // any will do
       sums = Statistics();
     }
     window.reset();

@@ -108,7 +108,7 @@ TEST_CASE("Settings: what a loop is made of refuses numbers out of range by name
   check_refused("SampleWindow::dt", not_positive, [](double x) { rme::SampleWindow<double, 7>{x}; });
   check_refused("MomentumObserver::dt", not_positive, [](double x) { rme::MomentumObserver<double, 7>{x}; });
   check_refused("CompensationRamp::period", not_positive, [](double x) { rme::CompensationRamp<double, 7>{x}; });
-  check_refused("EnergyTank::period", not_positive, [](double x) { rme::EnergyTank<double>{x}; });
+  check_refused("EnergyTank::period", not_positive, [](double x) { rme::EnergyTank<double, 7>{x}; });
   check_refused("PassivityMonitor::period", not_positive, [](double x) { rme::PassivityMonitor<double>{x}; });
   check_refused("Estimator::dt", not_positive, [](double x) { rme::Estimator<double, 7>{x}; });
 
@@ -123,13 +123,13 @@ TEST_CASE("Settings: what a loop is made of refuses numbers out of range by name
     rme::CompensationRamp<double, 7>(kPeriod, config);
   });
   check_refused("EnergyTankConfig::capacity", not_positive, [](double x) {
-    rme::EnergyTank<double>(kPeriod, {x, 0, 1e-9});
+    rme::EnergyTank<double, 7>(kPeriod, {x, 0, 1e-9});
   });
   check_refused("EnergyTankConfig::initial", {-1.0, 13.0, kNan, kInfinity}, [](double x) {
-    rme::EnergyTank<double>(kPeriod, {12, x, 2});
+    rme::EnergyTank<double, 7>(kPeriod, {12, x, 2});
   });
   check_refused("EnergyTankConfig::reserve", {0.0, -1.0, 13.0, kNan, kInfinity}, [](double x) {
-    rme::EnergyTank<double>(kPeriod, {12, 12, x});
+    rme::EnergyTank<double, 7>(kPeriod, {12, 12, x});
   });
 
   check_refused("BarrierPoles::first", not_positive, [](double x) { rme::BarrierPoles<double>(x, 1); });

@@ -126,12 +126,14 @@ bool barriers_ask_for_what_their_poles_say() {
 }
 
 bool tank_and_monitor_keep_their_books() {
-  rme::EnergyTank<float> tank(kPeriod);
+  rme::EnergyTank<float, 7> tank(kPeriod);
+  Vector7 q = Vector7::Zero();
   rme::PassivityMonitor<float> monitor(kPeriod);
   float out = 0;
   for (int k = 0; k < 20000; ++k) {
-    if (tank.update(10) != Status::Ok) return false;
-    out += tank.share() * 10 * kPeriod;
+    if (tank.update(q, Vector7::Constant(10)) != Status::Ok) return false;
+    q[2] += 0x1p-10F;  // exact
+    out += tank.torque()[2] * 0x1p-10F;
   }
   if (!(out <= 12.01F && tank.energy() >= 0)) return false;
   for (int k = 0; k <= 1000; ++k)  // a storage that takes all of a constant power
