@@ -304,10 +304,11 @@ TEST_CASE("SensorNoise: after 20 s of motion the residual is learned a tenth as 
     Noise noise(Sensing::LinkSide, prior());
     Joints e = Joints::Zero();  // says nothing
     for (int k = 0; k < blocks; ++k) noise.learn(true, e, Joints::Ones(), block, regime);
-    REQUIRE(residual(noise) == residual(Noise(Sensing::LinkSide, prior())));
+    const double before = residual(noise);
+    REQUIRE(before == residual(Noise(Sensing::LinkSide, prior())));
     e[0] = 1;
     for (int k = 0; k < 5; ++k) noise.learn(true, e, Joints::Ones(), fast, regime);
-    return std::log(residual(noise) / residual(Noise(Sensing::LinkSide, prior())));
+    return std::log(residual(noise) / before);
   };
   const double at_first = way_after(0, fast);
   REQUIRE(at_first > 0.05);
@@ -316,6 +317,13 @@ TEST_CASE("SensorNoise: after 20 s of motion the residual is learned a tenth as 
   CHECK(way_after(1000, fast) == Approx(0.1 * at_first));
   CHECK(way_after(5000, fast) == Approx(0.1 * at_first));
   CHECK(way_after(5000, rest) == Approx(at_first));
+  // That of a rough model as fast as ever: it sinks as innovations vanish.
+  Noise rough(Sensing::RoughModel, prior());
+  for (int k = 0; k < 5000; ++k) rough.learn(true, Joints::Constant(3), Joints::Ones(), fast, regime);
+  const double before = residual(rough);
+  REQUIRE(before == Approx(4));
+  for (int k = 0; k < 5; ++k) rough.learn(true, Joints::Zero(), Joints::Ones(), fast, regime);
+  CHECK(std::log(residual(rough) / before) == Approx(-5 * 0.025 * 3.5).epsilon(0.01));
 }
 
 /// One joint's residual by a scalar Kalman filter that believes in the scale that is being learned: what the bank does.

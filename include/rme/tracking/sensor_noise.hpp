@@ -24,7 +24,7 @@ namespace rme {
 /// large, innovations that are smaller than their variance says count against it. Only blocks in which the arm moves
 /// count. What is held takes on part of a residual, which then seems smaller than it is: that counts a third. The
 /// longer an arm has moved the more slowly its residual is learned: what is poured in meanwhile is not the model's
-/// fault.
+/// fault. A rough model's is another one in each motion.
 template <typename Scalar, int Dofs>
 class SensorNoise {
  public:
@@ -108,7 +108,7 @@ class SensorNoise {
     }
     evidence = std::max(Scalar(-6), std::min(Scalar(6), evidence * weight));
     if (!empty && !rough_ && evidence < 0) evidence *= Scalar(kHeld);
-    motion_ = std::min(motion_ + weight, Scalar(kMotion));
+    if (!rough_) motion_ = std::min(motion_ + weight, Scalar(kMotion));
     residual_ *= exp(Scalar(0.5 * kStep) * evidence * std::min(Scalar(1), Scalar(kNew) / motion_));
     residual_ = std::max(static_cast<Scalar>(range_.least), std::min(static_cast<Scalar>(range_.largest), residual_));
   }
