@@ -35,7 +35,10 @@ struct Scene {
     block.torque_step = torque_step;
     block.velocity_noise.setZero();
     regime.update(block);
-    model.begin(block, regime, friction_shows);
+    if (friction_shows)
+      model.begin(block, regime, true);
+    else
+      model.begin(block, regime);
     model.predict(star);
   }
   double deviation(int j, rme::Nuisance n) const { return std::sqrt(star.joint(j).covariance(n, n)); }
