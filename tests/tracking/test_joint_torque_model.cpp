@@ -17,23 +17,33 @@ using rme::Sensing;
 const rme::ArmPrior<double, kDofs> kArm = {Joints(0.1, 0.2), Joints(0.3, 0.4), Joints(1, 2), Joints(0.5, 0.6),
                                            Joints(0.2, 0.1)};
 
+/// Nothing moves, nothing is held, no torque shows.
+Block at_rest() {
+  Block block;
+  block.duration = 0.02;
+  block.samples = 20;
+  block.tau.setZero();
+  block.regressor.setZero();
+  block.jacobian.setZero();
+  block.rotation.setIdentity();
+  block.velocity.setZero();
+  block.velocities.setZero();
+  block.torque_step.setZero();
+  block.velocity_noise.setZero();
+  return block;
+}
+
 /// A model that is shown one block after another.
 struct Scene {
   explicit Scene(Sensing sensing) : model(sensing, kArm, 0.01), star(model.prior()) {}
   void block(const Joints& velocity, double tau = 0) { block(velocity, Joints(Joints::Constant(tau))); }
   void block(const Joints& velocity, const Joints& tau, const Joints& torque_step = Joints::Zero()) {
-    Block block;
-    block.duration = 0.02;
-    block.samples = 20;
+    Block block = at_rest();
     block.tau = tau;
-    block.regressor.setZero();
     block.regressor(1, 3) = 0.7;
-    block.jacobian.setZero();
-    block.rotation.setIdentity();
     block.velocity = velocity;
     block.velocities = velocity.replicate<1, rme::kBlockParts>();
     block.torque_step = torque_step;
-    block.velocity_noise.setZero();
     regime.update(block);
     if (friction_shows)
       model.begin(block, regime, true);
@@ -108,17 +118,8 @@ TEST_CASE("JointTorqueModel: a rough arm's joint that turns back is noisy for a 
 
 TEST_CASE("JointTorqueModel: noise of dq is noise of the inertia force, in proportion to the mass", "[joint_torque]") {
   Model model(Sensing::LinkSide, kArm, 0.01);
-  Block block;
-  block.duration = 0.02;
-  block.samples = 20;
-  block.tau.setZero();
-  block.regressor.setZero();
-  block.jacobian.setZero();
+  Block block = at_rest();
   block.jacobian(2, 0) = 0.5;
-  block.rotation.setIdentity();
-  block.velocity.setZero();
-  block.velocities.setZero();
-  block.torque_step.setZero();
   block.velocity_noise = Joints(1e-6, 0);
   model.begin(block, Regime());
   const double floor = model.observation(0, 0).noise, held = model.observation(0, 2).noise - floor;
@@ -342,14 +343,7 @@ TEST_CASE("JointTorqueModel: once a load is gone, its offsets are uncertain by 2
   CAPTURE(seed);
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  Block block;
-  block.duration = 0.02;
-  block.samples = 20;
-  block.jacobian.setZero();
-  block.velocity.setZero();
-  block.velocities.setZero();
-  block.torque_step.setZero();
-  block.velocity_noise.setZero();
+  Block block = at_rest();
   rme::InertialVector<double> held;
   for (int i = 0; i < rme::kInertial; ++i) {
     held[i] = normal(random);

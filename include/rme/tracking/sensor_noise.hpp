@@ -63,14 +63,12 @@ class SensorNoise {
       torque_[j] = block.tau[j];
       slope_[j] = slope;
       bend_[j] = bend;
-      if (watched_ < kBend) continue;
       zigzag_[j] += (std::max(-variance_[j], turn) - zigzag_[j]) / Scalar(kWatch);
       if (zigzag_[j] > Scalar(kNoisier) * (variance_[j] + other[j])) {
         variance_[j] = 2 * zigzag_[j];  // rather too much than too little: from here it is learned quickly
         blocks_[j] = std::min(blocks_[j], Scalar(kWatch));
       }
     }
-    watched_ = std::min(watched_ + 1, kBend);
   }
 
   /// Takes in a block of which it is sure that nothing happened in it.
@@ -128,7 +126,6 @@ class SensorNoise {
   // learned, it takes its share.
   static constexpr Range kResidual[kSensings] = {{0.02, 0.005, 0.1}, {0.005, 0.005, 0.1}, {0.3, 0.1, 4}};
   static constexpr double kPriorBlocks = 5;  // that the prior counts for
-  static constexpr int kBend = 3;            // blocks before two bends in a row are known
   static constexpr double kWatch = 25;       // blocks that watch() looks back on
   static constexpr double kNoisier = 4;      // times the variance, which no hour of events and white noise shows
   static constexpr double kMost = 9;         // times the variance that one block may show: one event is not enough
@@ -146,7 +143,6 @@ class SensorNoise {
   Vector share_, variance_, floor_, blocks_;
   Vector last_ = Vector::Zero(), average_ = Vector::Zero();
   Vector torque_ = Vector::Zero(), slope_ = Vector::Zero(), bend_ = Vector::Zero(), zigzag_ = Vector::Zero();
-  int watched_ = 0;  // blocks
   std::array<bool, static_cast<std::size_t>(Dofs)> usable_{};
   Range range_;
   Scalar residual_;
