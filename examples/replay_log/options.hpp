@@ -11,21 +11,21 @@
 namespace rme::examples {
 
 constexpr const char* kSettingsUsage =
-    "  --config C.json     settings of the estimator (rme/estimator_json.hpp); other options go before them\n"
-    "  --preset NAME       sensing of the arm: unknown (default), link_side, joint_friction\n"
+    "  --config C.json     settings of the estimator (rme/estimator_json.hpp); other options override them\n"
+    "  --preset NAME       torque sensing: unknown (default), link_side, joint_friction, rough_model\n"
     "  --bandwidth W       of the observer that tau_ext comes from [rad/s] (50); 0: none\n";
 constexpr const char* kReplayUsage =
-    "  --at T              the host says at T that the payload changes; ends with what is known a window later [s]\n"
-    "  --window S          with --at: how long after it [s] (0.2)\n"
+    "  --at T              trigger() at T; ends with the estimate one window later [s]\n"
+    "  --window S          with --at: that window [s] (0.2)\n"
     "  --baseline B        auto (default), none, or T0:T1, when the hand is known to be empty [s]\n"
-    "  --weights W.json    a network, whose guess each final estimate is printed with\n";
+    "  --weights W.json    a network, whose guess is printed with the estimate at the end of each event\n";
 
 /// An arm and the settings of its estimator.
 template <int Dofs>
 struct ArmSettings {
   RecordedArm<Dofs> arm;
   EstimatorConfig<double, Dofs> config;
-  std::vector<std::string> notes;  ///< what was assumed, a sentence each
+  std::vector<std::string> notes;  ///< what was assumed, one sentence each
 };
 
 /// Takes the first options above out of `arguments`.

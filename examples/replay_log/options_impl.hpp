@@ -43,7 +43,7 @@ ArmSettings<Dofs> parse_settings(Arguments& arguments, const ArmRequest& request
   settings.arm = recorded_arm<Dofs>(request, rated, config);
   if (request.chain && !request.rated_payload && !rated) {
     char text[120];
-    std::snprintf(text, sizeof text, "rated payload %.2g kg, from the effort limits; --rated-payload knows better",
+    std::snprintf(text, sizeof text, "rated payload %.2g kg, from the effort limits; --rated-payload sets it",
                   config.rated_payload);
     settings.notes.emplace_back(text);
   }

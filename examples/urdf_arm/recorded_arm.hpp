@@ -22,8 +22,8 @@ constexpr const char* kArmUsage =
     "  --tip LINK          its end effector\n"
     "  --rated-payload M   heaviest payload of the arm [kg] (3; for --urdf from its effort limits)\n"
     "  --torque-sign S     of the log's torque: external (default) or reaction\n"
-    "  --gains K1,K2,...   tau1.. are motor currents [A]; of each joint, its torque for one [N m/A]\n"
-    "  --rotor-inertia I1,I2,...  of each joint, seen through its gear; tau1.. accelerates it as well [kg m^2] (0)\n"
+    "  --gains K1,K2,...   tau1.. are motor currents [A]; torque per ampere of each joint, gear included [N m/A]\n"
+    "  --rotor-inertia I1,I2,...  of each joint, gear included, which tau1.. accelerates as well [kg m^2] (0)\n"
     "  --gravity X,Y,Z     world axes [m/s^2] (0,0,-9.81)\n";
 
 /// What the options above say.
