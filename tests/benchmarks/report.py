@@ -38,8 +38,8 @@ bool tick(const rme::CpicInput<double, 7>& in, const rme::Cpic<double, 7>::Rows&
 }
 
 
-def output_of(*command):
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
+def output_of(*command, environment=None):
+    return subprocess.run(command, check=True, capture_output=True, text=True, env=environment).stdout.strip()
 
 
 def priority():
@@ -51,6 +51,14 @@ def priority():
         return []
 
 
+def blas_folders(root="/usr/lib"):
+    """Where the machine has implementations of BLAS, in the folders in which Debian keeps them beside each other:
+    {name: folder}. TorchScript takes the one whose folder LD_LIBRARY_PATH names."""
+    found = {"OpenBLAS": sorted(Path(root).glob("*/openblas-*/libblas.so.3")),
+             "Debian's default BLAS": sorted(Path(root).glob("*/blas/libblas.so.3"))}
+    return {name: files[0].parent for name, files in found.items() if files}
+
+
 class Benchmarks:
     """The programs of a build folder: their tables as text, and their rows by name (median, 99 %, 99.9 % [us])."""
 
@@ -58,21 +66,42 @@ class Benchmarks:
         self.folder = build / "tests" / "benchmarks"
         self.prefix = priority()
         self.quick = ["--quick"] if quick else []
+        self.commands = {}
         self.text = {}
         self.rows = {}
 
-    def run(self, name, *arguments):
+    def run(self, name, *arguments, run=None, blas=None):
+        """Runs a program; `run` names the run, where there are several of one program.
+        @param blas  folder of the BLAS that the program is to take"""
+        run = run or name
         if not (self.folder / name).exists():
             print(f"left out: {name} was not built", file=sys.stderr)
             return
-        print(f"running {name}", file=sys.stderr, flush=True)
-        text = output_of(*self.prefix, self.folder / name, *arguments, *self.quick)
-        self.text[name] = text
-        self.rows[name] = {}
+        print(f"running {run}", file=sys.stderr, flush=True)
+        environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+        command = " ".join([name, *(Path(argument).name for argument in arguments)])
+        if blas:
+            environment["LD_LIBRARY_PATH"] = str(blas)
+            command = f"LD_LIBRARY_PATH={blas} {command}"
+            taken = output_of("ldd", self.folder / name, environment=environment)
+            if f"libblas.so.3 => {blas}/" not in taken:
+                raise RuntimeError(f"{name} does not take its BLAS from {blas}:\n{taken}")
+        self.add(run, command, output_of(*self.prefix, self.folder / name, *arguments, *self.quick,
+                                         environment=environment))
+
+    def takes_blas(self, name):
+        """Whether a program was built, and with TorchScript."""
+        return (self.folder / name).exists() and "libblas.so.3" in output_of("ldd", self.folder / name)
+
+    def add(self, run, command, text):
+        """What a program has printed; each of its tables is given the command under its heading."""
+        self.commands[run] = f"`{command}`"
+        self.text[run] = re.sub(r"^(### .*)$", rf"\1\n\n`{command}`", text, flags=re.MULTILINE)
+        self.rows[run] = {}
         for line in text.splitlines():
             cells = [cell.strip() for cell in line.strip("|").split("|")]
             if len(cells) == 5 and re.fullmatch(r"[-\d.]+", cells[1]):
-                self.rows[name][cells[0]] = tuple(map(float, cells[1:4]))
+                self.rows[run][cells[0]] = tuple(map(float, cells[1:4]))
 
     def median(self, program, row):
         return self.rows[program][row][0] if row in self.rows.get(program, {}) else None
@@ -157,57 +186,94 @@ def draw(benchmarks, path):
 
 
 def comparison(benchmarks, seconds):
-    """The rows of the table of targets: (what, measured, target, whether it is met)."""
+    """The rows of the table of targets: (what, measured, target, whether it is met, command)."""
     rows = []
 
-    def add(what, value, unit, target, met):
-        rows.append(f"| {what} | {value}{unit} | {target} | {'yes' if met else 'no'} |")
+    def add(what, value, unit, target, met, command):
+        rows.append(f"| {what} | {value}{unit} | {target} | {'yes' if met else 'no'} | {command} |")
 
     ticks = benchmarks.rows["bench_estimator"]
+    command = benchmarks.commands["bench_estimator"]
     means = {name: times[0] for name, times in ticks.items() if name.startswith("tick, mean over a block")}
     for name, median in means.items():
-        add(name, f"{median:.2f}", " µs", "≤ 1 µs", median <= 1)
+        add(name, f"{median:.2f}", " µs", "≤ 1 µs", median <= 1, command)
     dearest = max((times[0], name) for name, times in ticks.items() if name.startswith("dearest kind of tick"))
-    add(f"{dearest[1]}, median", f"{dearest[0]:.1f}", " µs", "≤ 15 µs", dearest[0] <= 15)
+    add(f"{dearest[1]}, median", f"{dearest[0]:.1f}", " µs", "≤ 15 µs", dearest[0] <= 15, command)
+    for run, blas in published_runs(benchmarks)[:1]:
+        tick = benchmarks.median(run, "tracker: the dearest of the 200 after the attach")
+        estimate = benchmarks.median(run, "published estimate, early stop")
+        if tick and estimate:
+            add(f"published estimate with its early stop, {blas}, over the dearest tick of the 200 after the attach",
+                f"{estimate / tick:.0f}", "", "≥ 100", estimate >= 100 * tick, benchmarks.commands[run])
     eigen, rme = seconds["`#include <Eigen/Dense>`"], seconds["`#include <rme/rme.hpp>`"]
-    add("compile time of `<rme/rme.hpp>` over `<Eigen/Dense>`", f"{rme / eigen:.2f}", "", "≤ 1.5", rme <= 1.5 * eigen)
+    add("compile time of `<rme/rme.hpp>` over `<Eigen/Dense>`", f"{rme / eigen:.2f}", "", "≤ 1.5", rme <= 1.5 * eigen,
+        "`g++`, as below")
     estimator = seconds["one `Estimator<double, 7>`"]
-    add("compile time of one `Estimator<double, 7>`", f"{estimator:.1f}", " s", "≤ 6 s", estimator <= 6)
+    add("compile time of one `Estimator<double, 7>`", f"{estimator:.1f}", " s", "≤ 6 s", estimator <= 6,
+        "`g++`, as below")
     return rows
+
+
+def published_runs(benchmarks):
+    """The runs of bench_published at -O2: (run, which BLAS TorchScript has); (run, None) without TorchScript."""
+    return [(run, run.partition(", ")[2] or None) for run in benchmarks.rows if run.startswith("bench_published_o2")]
 
 
 def alternatives(benchmarks):
-    """What a user would pick instead: (what, rme, the other one, ratio)."""
+    """What a user would pick instead: (what, its time [us], the other one, its time [us], command)."""
     rows = []
 
-    def add(what, other, ours, theirs):
+    def add(what, other, run, ours, theirs):
+        ours, theirs = benchmarks.median(run, ours), benchmarks.median(run, theirs)
         if ours and theirs:
-            rows.append(f"| {what} | {ours:.3g} µs | {other} | {theirs:.3g} µs | {theirs / ours:.1f} |")
+            rows.append((what, ours, other, theirs, benchmarks.commands[run]))
 
-    published = "bench_published_o2"
-    add("network in float, with its input", "TorchScript in C++, one thread",
-        benchmarks.median(published, "rme: network with its input"),
-        benchmarks.median(published, "published: network in TorchScript, with its input"))
-    estimate, how = benchmarks.median(published, "published estimate"), "TorchScript, stochastic VI over all residuals"
-    if not estimate:  # built without libtorch
-        estimate, how = benchmarks.median(published, "published estimate, without its network"), \
-            "stochastic VI over all residuals alone, without the network"
-    add("tracker, all of the 200 ms after an attach", f"one published estimate in C++: {how}",
-        benchmarks.median(published, "tracker: the 200 ticks after the attach, together"), estimate)
-    add("PublishedPipeline, the tick that estimates", "the same",
-        benchmarks.median(published, "PublishedPipeline: the tick that estimates"), estimate)
-    add("closed-form VI, from the sums", "stochastic VI, published settings, from the same sums",
-        benchmarks.median("bench_inference", "infer: full covariance, from the likelihood"),
-        benchmarks.median("bench_inference", "infer: stochastic VI, published settings"))
+    for run, blas in published_runs(benchmarks):
+        add("network in float, with its input, first pass", f"TorchScript in C++, one thread, {blas}", run,
+            "rme: network with its input, first pass", "TorchScript: network with its input, first pass")
+        add("the same at once again", f"TorchScript in C++, one thread, {blas}", run,
+            "rme: network with its input, again", "TorchScript: network with its input, again")
+    for run, blas in published_runs(benchmarks)[:1]:
+        name = "published estimate" if blas else "published estimate without network"
+        for stop, how in (("early stop", "with its early stop, as published"), ("all steps", "all of 2,500 steps")):
+            other = f"one published estimate in C++: {f'TorchScript, {blas}' if blas else 'no network'}; " \
+                    f"stochastic VI over all residuals, {how}"
+            add("tracker, all of the 200 ms after an attach", other, run,
+                "tracker: the 200 ticks after the attach, together", f"{name}, {stop}")
+            add("tracker, the dearest tick of the 200 ms after an attach", other, run,
+                "tracker: the dearest of the 200 after the attach", f"{name}, {stop}")
+            add("PublishedPipeline, the tick that estimates", other, run,
+                "PublishedPipeline: the tick that estimates", f"{name}, {stop}")
+    for run, _ in published_runs(benchmarks)[:1]:
+        add("tracker, 200 ms in which nothing happens", "PublishedPipeline, which only watches", run,
+            "tracker: the 200 ticks before the attach, together", "PublishedPipeline: the 200 before the attach, together")
+        add("tracker, all of the 200 ms after an attach", "PublishedPipeline, the tick that estimates", run,
+            "tracker: the 200 ticks after the attach, together", "PublishedPipeline: the tick that estimates")
+    for source in ("from the sums", "from the likelihood"):
+        add(f"closed-form VI, {source}", "rme's stochastic VI, published settings, the same", "bench_inference",
+            f"infer: full covariance, {source}", f"infer: stochastic VI as published, {source}")
     for active in ("no active row", "1 active row", "2 or 3 active rows", "4 or more active rows"):
         for peer, name in (("quadprog", "quadprog, Fortran from R's package"), ("NLopt SLSQP", "NLopt's SLSQP")):
-            add(f"quadratic program of 14 rows and a box, cold, {active}", name,
-                benchmarks.median("bench_qp_peers", f"ActiveSetSolver::solve, {active}"),
-                benchmarks.median("bench_qp_peers", f"{peer}, {active}"))
+            add(f"quadratic program of 14 rows and a box, cold, {active}", name, "bench_qp_peers",
+                f"ActiveSetSolver::solve, {active}", f"{peer}, {active}")
     add("model of the arm, momentum observer, pseudo-wrench", "Orocos KDL's ChainExternalWrenchEstimator",
-        benchmarks.median("bench_observer", "the same and the arm's model (examples/synthetic_arm)"),
-        benchmarks.median("bench_observer", "KDL::ChainExternalWrenchEstimator"))
+        "bench_observer", "the same and the arm's model (examples/synthetic_arm)", "KDL::ChainExternalWrenchEstimator")
     return rows
+
+
+def microseconds(time):
+    """Three digits of it, or all before the point."""
+    return f"{time:.0f} µs" if time >= 100 else f"{time:.3g} µs"
+
+
+def ratio_table(rows, faster):
+    """Rows of alternatives() as a table: those in which the other one is slower, or those in which it is faster."""
+    lines = [f"| rme | | instead | | times {'faster' if faster else 'slower'} | made by |", "|---|---:|---|---:|---:|---|"]
+    for what, ours, other, theirs, command in rows:
+        if (theirs < ours) == faster:
+            ratio = ours / theirs if faster else theirs / ours
+            lines.append(f"| {what} | {microseconds(ours)} | {other} | {microseconds(theirs)} | {ratio:.1f} | {command} |")
+    return "\n".join(lines) if len(lines) > 2 else "None of those that were compared."
 
 
 def main():
@@ -218,13 +284,17 @@ def main():
                  "bench_network_o2", "bench_network_native"):
         benchmarks.run(name)
     with tempfile.TemporaryDirectory() as folder:
-        model = []
+        model = Path(folder) / "panda.pt"
         traced = subprocess.run([sys.executable, Path(__file__).with_name("trace.py"),
-                                 ROOT / "examples" / "models" / "panda.json", Path(folder) / "panda.pt"])
-        if traced.returncode == 0:
-            model = [str(Path(folder) / "panda.pt")]
-        for flags in ("o2", "native"):
-            benchmarks.run(f"bench_published_{flags}", *model)
+                                 ROOT / "examples" / "models" / "panda.json", model])
+        folders = blas_folders() if traced.returncode == 0 and benchmarks.takes_blas("bench_published_o2") else {}
+        for blas, path in folders.items():
+            benchmarks.run("bench_published_o2", model, run=f"bench_published_o2, {blas}", blas=path)
+        for blas, path in list(folders.items())[:1]:
+            benchmarks.run("bench_published_native", model, run=f"bench_published_native, {blas}", blas=path)
+        if not folders:  # without TorchScript
+            for flags in ("o2", "native"):
+                benchmarks.run(f"bench_published_{flags}")
     seconds = compile_times(build, 1 if quick else 3)
     sizes = code_sizes(build)
 
@@ -240,10 +310,13 @@ Written by `bash tests/benchmarks/run.sh`; run it on your own machine, and compa
 {machine(build)}. {' '.join(FLAGS)}, unless a row says otherwise. One thread{', at real-time priority' if benchmarks.prefix else ''}; the machine is shared, and virtual.
 Between two ticks of the estimator the caches see a tick of a simulation.
 
+Every row names the program that makes it, of `build/tests/benchmarks`; "All measurements" has what each program prints.
+`panda.pt` is made by `python3 tests/benchmarks/trace.py examples/models/panda.json panda.pt`.
+
 ## Against the targets
 
-| what | measured | target | met |
-|---|---:|---:|---|
+| what | measured | target | met | made by |
+|---|---:|---:|---|---|
 {chr(10).join(target_rows)}
 
 A tick is `update()` and `compensation()`. The work that a block of 20 ticks makes is spread over the ticks after it: the
@@ -251,9 +324,15 @@ dearest kind of tick is the one of the 20 whose median is highest. What bounds e
 
 ## Against what one would use instead
 
-| rme | | instead | | times slower |
-|---|---:|---|---:|---:|
-{chr(10).join(other_rows)}
+{ratio_table(other_rows, faster=False)}
+
+A published estimate is made once in an event: its network runs with other things in the caches (first pass), and that pass
+counts. TorchScript's first 200 calls, in which it optimises itself, do not count. It links to whichever BLAS the system
+has: Debian's default is the reference BLAS, OpenBLAS is the package libopenblas0.
+
+## Who is faster than rme, and where
+
+{ratio_table(other_rows, faster=True)}
 
 ## Scaling
 
@@ -265,6 +344,9 @@ dearest kind of tick is the one of the 20 whose median is highest. What bounds e
 |---|---:|
 {chr(10).join(f"| compiling {name} alone | {value:.2f} s |" for name, value in seconds.items())}
 {chr(10).join(f"| object code of {name} | {value / 1024:.0f} KiB |" for name, value in sizes.items())}
+
+Wall-clock time of `g++ {' '.join(FLAGS)} -c` for a file with nothing else in it, by `compile_times()` of
+`tests/benchmarks/report.py`; the size is text and constants, by `size`.
 
 ## All measurements
 

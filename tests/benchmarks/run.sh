@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# Builds the benchmarks, runs them and writes docs/performance.md. Measuring takes two minutes; leave the machine alone meanwhile.
+# Builds the benchmarks, runs them and writes docs/performance.md. Measuring takes a few minutes; leave the machine alone
+# meanwhile.
 # shellcheck source=cmake/setup.sh
 source "$(dirname "$0")/../../cmake/setup.sh"
 
-install_packages "${build_packages[@]}" catch2 liborocos-kdl-dev libnlopt-dev r-cran-quadprog libtorch-dev python3-torch python3-matplotlib
+install_packages "${build_packages[@]}" catch2 liborocos-kdl-dev libnlopt-dev r-cran-quadprog libtorch-dev libopenblas0 \
+  python3-torch python3-matplotlib
 configure -DRME_BUILD_BENCHMARKS=ON
 build benchmarks
 say "measuring"
