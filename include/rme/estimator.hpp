@@ -1,5 +1,5 @@
 #pragma once
-/// The object that a host owns: fed each tick, it knows what is in the hand, and says what torque carries it.
+/// The class that a host owns: samples in each tick, the payload and the torque that carries it out.
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -17,7 +17,7 @@
 
 namespace rme {
 
-/// Tracks the payload of one arm. One posterior that never stops listening (docs/theory.md, "The tracker"):
+/// Tracks the payload of one arm with a filter that takes in every sample (docs/theory.md, "The tracker"):
 ///
 ///     samples -> blocks of 20 ms -> five hypotheses, for each kind of torque sensing -> belief -> events, compensation
 ///
@@ -43,27 +43,32 @@ class Estimator {
   explicit Estimator(double dt, const Config& config = Config());
 
   /// Advances by one sample.
+  /// @param sample  tau_ext, J, R and dq of this tick
   /// @return Ok; NonFiniteInput or NotARotation: the estimator is then as it was, and the sample does not count
   Status update(const Proprioception<Scalar, Dofs>& sample) noexcept;
-  /// What is believed now.
+  /// The current estimate, and what is going on.
   const EstimatorState<Scalar>& state() const noexcept { return state_; }
 
-  /// tau_comp = -J^T w(payload) [N m], m^2 / (m^2 + std^2) of it (docs/theory.md (T31)): zero for an empty hand. If the
-  /// payload's weight is suddenly missing in tau_ext, it is cut at once, before it is known whether it was dropped or
-  /// is lifted by somebody. For a pose that is not plausible (plausible.hpp) it is that of the last good sample's pose.
+  /// tau_comp = -c J^T w(payload) [N m], Dofs x 1, with c = m^2 / (m^2 + std^2) (docs/theory.md (T31)): zero for an
+  /// empty hand. If the payload's weight is suddenly missing in tau_ext, the torque is cut at once, before it is known
+  /// whether the object was dropped or lifted. For a pose that is not plausible (plausible.hpp), that of the last good
+  /// sample is used.
+  /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
+  /// @param rotation  R, end-effector axes to world axes
   Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept;
 
-  /// The host says that the hand is empty, that it holds this, or that it changes now (the gripper closes). None is
-  /// needed, and each is a belief that data can still overturn.
+  /// The hand is empty. Like the three calls below, this says what the host knows. None is needed, and data can still
+  /// overturn each.
   void declare_empty() noexcept;
+  /// This is in the hand.
   /// @param payload  mass [kg] and centre of mass [m], end-effector axes; finite, covariance positive semidefinite
   /// @return Ok; NonFiniteInput: then nothing is changed
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept;
-  /// What is in the hand changes now: for 0.3 s an exchange is as likely as all else.
+  /// The payload changes now, since the gripper has closed or opened: for 0.3 s an exchange is as likely as all else.
   void trigger() noexcept { expected_ = kExpected; }
-  /// While true nothing is learned, and what is held stays what it is: for contact that the host knows about. If its
-  /// weight is missing, compensation is cut all the same, since it may have been dropped. Afterwards
-  /// another payload is as likely as the same one.
+  /// While true nothing is learned, and the estimate stays: for contact that the host knows about. Compensation is
+  /// still cut where the payload's weight is missing, since the object may have been dropped. When it ends, another
+  /// payload is as likely as the same one.
   void inhibit(bool inhibited) noexcept {
     if (inhibited_ && !inhibited) trigger();
     inhibited_ = inhibited;
@@ -74,15 +79,15 @@ class Estimator {
   void reset() noexcept;
 
  private:
-  static constexpr double kExpected = 0.3;  // for which a change that the host announced is waited for [s]
-  static constexpr double kHealthy = 3;     // up to which innovations are as the model says, but for chance
+  static constexpr double kExpected = 0.3;  // how long an exchange is expected after trigger() [s]
+  static constexpr double kHealthy = 3;     // health up to which the filter's covariance is taken as it is
 
   Torque carried(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
     return compensation_torque<Scalar, Dofs>(state_.payload.payload(), jacobian, rotation, config_.gravity);
   }
   Scalar share() const noexcept {
     const Scalar mass = state_.payload.mean[0], variance = state_.payload.covariance(0, 0);
-    const Scalar square = mass * mass;  // of a mass small enough it is zero
+    const Scalar square = mass * mass;  // may underflow to zero
     return mass > 0 && square + variance > 0 ? square / (square + variance) : Scalar(0);
   }
   void publish() noexcept;
@@ -98,7 +103,7 @@ class Estimator {
   Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();  // of the last good sample
   Matrix3<Scalar> rotation_ = Matrix3<Scalar>::Identity();
   int steps_per_tick_;
-  double expected_ = 0;  // that an announced change is still waited for [s]
+  double expected_ = 0;  // for so long an exchange is still expected [s]
   bool inhibited_ = false;
 };
 
@@ -110,7 +115,7 @@ Estimator<Scalar, Dofs>::Estimator(double dt, const Config& config)
       averager_(config.observer_bandwidth, config.gravity),
       tracker_(config.arm.value_or(ArmPrior<Scalar, Dofs>::of(config.rated_payload)), payload_prior_,
                config.rated_payload, config.sensing) {
-  // A quarter of the ticks between two blocks, so that what a block says is known soon.
+  // In a quarter of the ticks between two blocks, so that the estimate is soon up to date.
   const int ticks = static_cast<int>(BlockAverager<Scalar, Dofs>::kDuration / dt / 4);
   steps_per_tick_ = Tracker<Scalar, Dofs>::kSteps / std::max(1, ticks) + 1;
   publish();
@@ -118,7 +123,7 @@ Estimator<Scalar, Dofs>::Estimator(double dt, const Config& config)
 
 template <typename Scalar, int Dofs>
 void Estimator<Scalar, Dofs>::reset() noexcept {
-  // In place: another one of a hundred kilobytes and more is no load for the stack of a control thread.
+  // In place: a second object of more than 100 kB does not fit on the stack of a control thread.
   const double dt = dt_;
   const Config config = config_;
   this->~Estimator();
@@ -139,7 +144,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   guard_.update(averager_.torque(), detail::scaled(Scalar(-1), carried(in.jacobian, in.rotation)),
                 static_cast<Scalar>(dt));
   expected_ = std::max(0.0, expected_ - dt);
-  // A Jacobian of zeros says nothing of what hangs on the arm.
+  // A Jacobian of zeros shows nothing of the payload.
   if (complete && !inhibited_ && in.jacobian.squaredNorm() > 0) tracker_.begin(averager_.block(), expected_ > 0);
   for (int i = 0; i < steps_per_tick_; ++i) {
     if (!tracker_.advance()) continue;
@@ -158,7 +163,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   return Status::Ok;
 }
 
-/// What the tracker believes, as the host is to read it (docs/theory.md (T30)).
+/// Writes the tracker's belief into the state that the host reads (docs/theory.md (T30)).
 template <typename Scalar, int Dofs>
 void Estimator<Scalar, Dofs>::publish() noexcept {
   const TrackerBelief<Scalar>& belief = tracker_.belief();
@@ -167,13 +172,13 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   state_.health = belief.health;
   state_.sensing = belief.sensing;
   PayloadGaussian<Scalar> held = payload_of(belief.payload, payload_prior_);
-  // Far more unexplained than the model says: what it says of its own accuracy does not hold either.
+  // With far larger innovations than the model predicts, the covariance that it predicts is too small as well.
   const Scalar excess = std::max(Scalar(1), belief.health / Scalar(kHealthy));
   held.covariance *= excess;
   const Scalar empty = belief.probability[Hypothesis::Empty], mass = held.mean[0];
-  // Of an empty hand or, with what probability is left, of one that holds `held`.
-  // As little as that hides behind an offset; of an empty hand more, since nothing has shown its mass.
+  // So small a mass cannot be told from an offset. More for an empty hand, since no block has measured a mass.
   const Scalar least = Scalar(state_.empty() ? 3e-4 : 1e-4) * config_.rated_payload;
+  // Moments of a mixture: an empty hand with probability `empty`, otherwise `held`.
   const Scalar variance = (Scalar(1) - empty) * (held.covariance(0, 0) + empty * mass * mass);
   held.mean[0] = (Scalar(1) - empty) * mass;
   if (state_.empty()) {

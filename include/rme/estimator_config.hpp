@@ -1,5 +1,5 @@
 #pragma once
-/// Settings of the estimator: what it cannot find out by itself.
+/// Settings of the estimator, for what it cannot find out by itself.
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -11,24 +11,25 @@
 
 namespace rme {
 
-/// Settings of Estimator; the defaults suit a Panda. docs/tuning.md says how to know each.
+/// Settings of Estimator; the defaults suit a Panda. docs/tuning.md says how to find each.
 template <typename Scalar, int Dofs>
 struct EstimatorConfig {
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
   TorqueSign torque_sign = TorqueSign::External;         ///< of tau_ext
-  /// The heaviest payload that the arm is made for [kg], > 0: no mass beyond it is believed, and what friction, offsets
-  /// and pushes may be is scaled by it.
+  /// The heaviest payload that the arm is made for [kg], above 0 and at most 10,000. No larger mass is estimated, and
+  /// the defaults for noise, offsets, friction, pushes and payloads scale with it.
   Scalar rated_payload = Scalar(3);
-  /// Bandwidth of the first-order filter that tau_ext has gone through [rad/s]: the gain K of the arm's momentum
-  /// observer; 0 if the torque is unfiltered.
+  /// Bandwidth of the first-order filter that tau_ext comes from [rad/s]: the gain K of the arm's momentum observer, 1
+  /// to 100,000; 0 if the torque is unfiltered.
   double observer_bandwidth = 50;
-  /// Kind of torque sensing, if it is known; otherwise the arm is to show it.
+  /// Kind of torque sensing, if it is known; otherwise the estimator finds out, which takes motion.
   std::optional<Sensing> sensing = std::nullopt;
   /// Sizes of the joints' noise, offset and friction, where they are known better than ArmPrior::of(rated_payload).
   std::optional<ArmPrior<Scalar, Dofs>> arm = std::nullopt;
   /// What is likely to be picked up, where that is known better than PayloadPrior::of(rated_payload).
   std::optional<PayloadPrior<Scalar>> payload = std::nullopt;
 
+  /// @param dt  nominal control period [s], above 0 and at most 0.02
   /// @throws std::invalid_argument naming the field out of range
   void validate(double dt) const;
 };

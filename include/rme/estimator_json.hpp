@@ -13,17 +13,17 @@
 
 namespace rme {
 
-/// The settings that a JSON object describes. A field that is not there keeps its default; of "arm" and "payload",
-/// every field is needed.
+/// The settings that a JSON object describes. A missing field keeps its default; "arm" and "payload" need all of their
+/// fields.
 ///
 ///     {"rated_payload": 12.5, "observer_bandwidth": 0, "torque_sign": "reaction", "sensing": "joint_friction",
 ///      "gravity": [0, 0, -9.81],
 ///      "arm": {"noise": [..], "offset": [..], "residual": [..], "coulomb": [..], "viscous": [..]},
 ///      "payload": {"mass_mean": 1, "mass_std": 1, "com_mean": [0, 0, 0.1], "com_std": [0.06, 0.06, 0.07]}}
 ///
-/// For a RuntimeEstimator Dofs is Eigen::Dynamic; it checks how long the vectors are.
+/// For a RuntimeEstimator, Dofs is Eigen::Dynamic, and the RuntimeEstimator checks the vectors' sizes.
 /// @throws std::invalid_argument naming a field that is unknown, missing or of the wrong type or size, with what was
-/// expected and what came. Ranges are checked by the Estimator.
+///         expected and what came. The Estimator checks ranges.
 template <typename Scalar, int Dofs>
 EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& object);
 

@@ -11,27 +11,27 @@
 
 namespace rme {
 
-/// What is believed now. Times count from the estimator's construction or reset [s].
+/// The current estimate, and what is going on. Times count from the estimator's construction or reset [s].
 template <typename Scalar>
 struct EstimatorState {
   double time = 0;     ///< of the last sample
-  double updated = 0;  ///< up to when samples are in what is believed: a block and its computation ago
-  /// Mass and centre of mass of all that is in the hand [kg, m, m, m], end-effector axes. While the hand is believed to
-  /// be empty, the centre of mass is zero, with the prior's deviations.
+  double updated = 0;  ///< samples up to this time are in the estimate: one block and its computation ago
+  /// Mass and centre of mass of all that is in the hand [kg, m, m, m], end-effector axes. While empty() holds, the
+  /// centre of mass is zero, with the prior's standard deviations.
   PayloadGaussian<Scalar> payload;
   /// The ten inertial parameters (inertial_parameters.hpp) with their covariance, given that something is held.
   InertialGaussian<Scalar> inertial;
-  PerHypothesis<Scalar> probability = {{Scalar(1)}};  ///< of what is going on, sum one; an empty hand at first
-  /// How far to trust `payload`, 0 to 1: m^2 / (m^2 + std^2), and less the more is unexplained.
+  PerHypothesis<Scalar> probability = {{Scalar(1)}};  ///< of each hypothesis, sum 1; an empty hand at first
+  /// How far to trust `payload`, 0 to 1: m^2 / (m^2 + std^2), and less where health is above 3.
   Scalar confidence = Scalar(0);
   /// Normalised innovation squared over the last second: 1 if the arm does what its model and this payload say, above
   /// 10 if not; 100 at most.
   Scalar health = Scalar(1);
-  std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing (Sensing), sum one
+  std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing (Sensing), sum 1
   bool changing = false;                    ///< an event is going on
-  double change_onset = 0;                  ///< when the event that is going on began
-  double change_noticed = 0;                ///< when that was known
-  Event event;                              ///< the last one that is over
+  double change_onset = 0;                  ///< when it began
+  double change_noticed = 0;                ///< when it was noticed
+  Event event;                              ///< the last event that is over
 
   /// Whether nothing is in the hand, as far as the torque can tell.
   bool empty() const noexcept { return probability[Hypothesis::Empty] > Scalar(0.5); }

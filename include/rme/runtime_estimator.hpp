@@ -1,5 +1,5 @@
 #pragma once
-/// The estimator of a host that learns the number of joints when it runs.
+/// The estimator for hosts that learn the number of joints at run time.
 #include <cstddef>
 #include <optional>
 #include <rme/core/flange_motion.hpp>
@@ -27,16 +27,16 @@ struct EstimatorOfAny<Scalar, Fewest, std::index_sequence<More...>> {
 
 }  // namespace detail
 
-/// An Estimator (estimator.hpp) for vectors of dynamic size: the same beliefs, to the last bit. Sizes are checked in
-/// each call. It holds the estimator for one number of joints, and is compiled for all from Fewest to Most: a host that
-/// needs fewer of them says so, RuntimeEstimator<double, 6, 7>.
+/// An Estimator (estimator.hpp) for vectors of dynamic size: the same results to the last bit. Sizes are checked in
+/// each call. It holds the estimator for one number of joints, and is compiled for all from Fewest to Most;
+/// RuntimeEstimator<double, 6, 7> is compiled for 6 and 7 only.
 ///
 ///     RuntimeEstimator<double> estimator(model.nv, 0.001);
 ///     estimator.update(tau_ext, jacobian, rotation, dq);
 ///     if (estimator.compensation(jacobian, rotation, torque) == Status::Ok) tau_command += torque;
 ///
 /// Real time: no call but the constructor allocates or throws. Vectors and matrices may lie anywhere and in any order
-/// (Eigen::Map, Eigen::Ref, blocks); of an expression that has to be evaluated first, Eigen allocates the result.
+/// (Eigen::Map, Eigen::Ref, blocks). For an expression that has to be evaluated first, Eigen allocates memory.
 template <typename Scalar, int Fewest = 4, int Most = 8>
 class RuntimeEstimator {
   static_assert(1 <= Fewest && Fewest <= Most, "RuntimeEstimator: numbers of joints, from the fewest to the most");
@@ -60,8 +60,8 @@ class RuntimeEstimator {
   /// @param jacobian  J, 6 x joints()
   /// @param rotation  R, end-effector axes to world axes
   /// @param dq        joint velocity [rad/s], joints()
-  /// @param period    time since the sample before [s]; 0 is the nominal period
-  /// @param motion    how the flange has moved, from a host that knows it better than J dq
+  /// @param period    time since the last sample [s]; 0 is the nominal period
+  /// @param motion    of the flange, from a host that knows it better than the differences of J dq
   /// @return Ok; WrongSize, NonFiniteInput or NotARotation: the estimator is then as it was
   template <typename Torque, typename Matrix, typename Velocity>
   Status update(const Eigen::MatrixBase<Torque>& tau_ext, const Eigen::MatrixBase<Matrix>& jacobian,
@@ -81,15 +81,15 @@ class RuntimeEstimator {
         },
         any_);
   }
-  /// What is believed now.
+  /// The current estimate, and what is going on: Estimator::state().
   const EstimatorState<Scalar>& state() const noexcept {
     return std::visit([](const auto& e) -> const EstimatorState<Scalar>& { return e.state(); }, any_);
   }
 
-  /// The torque that carries what is held: Estimator::compensation().
+  /// The torque that carries the payload: Estimator::compensation().
   /// @param jacobian  J, 6 x joints()
   /// @param rotation  R, end-effector axes to world axes
-  /// @param torque    takes it [N m], joints()
+  /// @param torque    the result [N m], joints()
   /// @return Ok, or WrongSize: `torque` is then as it was
   template <typename Matrix>
   Status compensation(const Eigen::MatrixBase<Matrix>& jacobian, const Eigen::Ref<const Matrix3<Scalar>>& rotation,

@@ -1,5 +1,5 @@
 #pragma once
-/// Cholesky factorisation of matrices so small that a general one spends its time on everything but arithmetic.
+/// Cholesky factorisation of small matrices whose size the compiler knows.
 #include <Eigen/Core>
 #include <cmath>
 #include <rme/core/sum_of_logs.hpp>
@@ -7,7 +7,7 @@
 
 namespace rme {
 
-/// A = L L^T of a symmetric positive definite matrix, of which the lower triangle is read. Real time: Size^3 / 6
+/// A = L L^T of a symmetric positive definite matrix; only its lower triangle is read. Real time: Size^3 / 6
 /// multiplications, no allocation.
 template <typename Scalar, int Size>
 class Cholesky {
@@ -36,11 +36,11 @@ class Cholesky {
     positive_definite_ = true;
   }
 
-  /// Unless this holds, nothing else does.
+  /// Whether A is positive definite. If not, no other member means anything.
   bool positive_definite() const noexcept { return positive_definite_; }
   /// L, lower triangular: zero above the diagonal.
   const Matrix& lower() const noexcept { return L_; }
-  /// log det L, half that of A.
+  /// log det L = 1/2 log det A.
   Scalar log_det_lower() const noexcept { return sum_of_logs(L_.diagonal()); }
 
   /// L^-1 X.

@@ -1,5 +1,5 @@
 #pragma once
-/// Motion of the end effector, as the inertia force of a payload needs it.
+/// Motion of the end effector, for the inertia force of a payload.
 #include <rme/core/types.hpp>
 
 namespace rme {

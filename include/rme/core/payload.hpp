@@ -1,5 +1,5 @@
 #pragma once
-/// The thing in the hand: mass and centre of mass, and the wrench that it exerts.
+/// A payload's mass and centre of mass, and the wrench that it exerts.
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>

@@ -1,15 +1,15 @@
 #pragma once
-/// Numbers that an arm can report, told from those that only a fault makes.
+/// The bound beyond which a number can only come from a fault.
 #include <cmath>
 #include <rme/core/types.hpp>
 
 namespace rme {
 
-/// Beyond this no input is believed [N m, m, rad/s, ...]. Far above what any arm reports, and far below where products
-/// and sums over a window overflow in float: what is believed never becomes an infinity or a NaN later on.
+/// Inputs beyond this are refused [N m, m, rad/s, ...]. It is far above what any arm reports, and so far below overflow
+/// that no product or sum over a window becomes an infinity or a NaN, in float either.
 inline constexpr double kLargestPlausible = 1048576;  // 2^20
 
-/// Whether |x| <= kLargestPlausible; of a NaN false.
+/// Whether |x| <= kLargestPlausible; false for a NaN.
 inline bool plausible(double x) noexcept {
   return std::abs(x) <= kLargestPlausible;
 }

@@ -10,8 +10,8 @@
 
 namespace rme::detail {
 
-/// Refuses a configuration value. Without exceptions (-fno-exceptions) a wrong configuration ends the program at
-/// construction, before the loop starts, which is the one place where that is safe.
+/// Refuses a configuration value. Without exceptions (-fno-exceptions) it aborts: construction comes before the control
+/// loop, where that is safe.
 [[noreturn]] inline void refuse(const std::string& message) {
 #if defined(__cpp_exceptions)
   throw std::invalid_argument(message);

@@ -1,13 +1,13 @@
 #pragma once
 /// Products and sums of matrices whose sizes the compiler knows, as plain loops.
 ///
-/// Eigen's expressions would do the same. But of each, the compiler reads a class template of its own, which takes most
-/// of the time that an Estimator or a Cpic written with them takes to compile.
+/// Eigen's expressions would do the same, but the compiler instantiates class templates for each of them. That would be
+/// most of the time that an Estimator or a Cpic takes to compile.
 #include <Eigen/Core>
 
 namespace rme::detail {
 
-/// Column j of a matrix, of which Eigen makes vector instructions.
+/// Column j of a matrix, as an Eigen vector, for which the compiler emits vector instructions.
 template <typename Scalar, int Rows, int Columns>
 Eigen::Map<const Eigen::Matrix<Scalar, Rows, 1>> column(const Eigen::Matrix<Scalar, Rows, Columns>& A, int j) noexcept {
   return Eigen::Map<const Eigen::Matrix<Scalar, Rows, 1>>(A.data() + j * Rows);
@@ -92,7 +92,7 @@ Eigen::Matrix<Scalar, Rows, Columns> difference(const Eigen::Matrix<Scalar, Rows
   return out;
 }
 
-/// Whether all entries are finite: only of those is zero times the entry zero.
+/// Whether all entries are finite: zero times a NaN or an infinity is not zero.
 template <typename Scalar, int Rows, int Columns>
 bool finite(const Eigen::Matrix<Scalar, Rows, Columns>& X) noexcept {
   Eigen::Matrix<Scalar, Rows, 1> sum = column(X, 0) * Scalar(0);

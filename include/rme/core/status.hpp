@@ -8,14 +8,14 @@ namespace rme {
 /// object is as it was, and no output was written.
 enum class [[nodiscard]] Status : std::uint8_t{
     Ok,
-    NonFiniteInput,       ///< a NaN or an infinity came in, or a number that no arm makes (plausible.hpp)
+    NonFiniteInput,       ///< an input is NaN, infinite, or larger than any arm's (plausible.hpp)
     NotARotation,         ///< a rotation matrix is not orthonormal with determinant +1
     NotReady,             ///< too little data yet for an answer
     NotPositiveDefinite,  ///< a matrix that must be positive definite is not
     NotConverged,         ///< the bound on iterations was reached; the best iterate is returned
     Infeasible,           ///< hard constraints contradict each other; the answer with the least violation is returned
     CapacityExceeded,     ///< no room for more in storage fixed at compile time
-    WrongSize,            ///< a vector or a matrix has not the size that was agreed on at construction
+    WrongSize,            ///< a vector or a matrix does not have the size given at construction
 };
 
 /// The enumerator's name, for logs.

@@ -1,5 +1,5 @@
 #pragma once
-/// A sum of logarithms by fewer of them: each costs as much as some thirty multiplications.
+/// A sum of logarithms with a third of the calls: each costs as much as some thirty multiplications.
 #include <Eigen/Core>
 #include <cmath>
 #include <rme/core/unroll.hpp>

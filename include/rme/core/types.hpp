@@ -1,5 +1,5 @@
 #pragma once
-/// Fixed-size Eigen aliases by scalar and joint count. Everything in rme is built from these.
+/// Fixed-size Eigen types by scalar and number of joints.
 #include <Eigen/Core>
 #include <Eigen/Geometry>  // cross(): without it, code that uses it compiles and does not link
 
@@ -28,7 +28,7 @@ using JointMatrix = Eigen::Matrix<Scalar, Dofs, Dofs>;
 template <typename Scalar, int Dofs>
 using Jacobian = Eigen::Matrix<Scalar, 6, Dofs>;
 
-/// Gravity in world axes [m/s^2] of an arm that stands upright on the floor.
+/// Gravity in world axes [m/s^2] for an arm that stands on the floor, with z up.
 template <typename Scalar>
 Vector3<Scalar> standard_gravity() noexcept {
   return Vector3<Scalar>(Scalar(0), Scalar(0), Scalar(-9.81));

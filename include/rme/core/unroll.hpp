@@ -1,5 +1,5 @@
 #pragma once
-/// Loops so short that they are mostly mispredicted branches, unrolled even where a compiler would not do so at -O2.
+/// Unrolls short loops, which g++ and clang do not always do at -O2.
 
 /// In front of a loop of at most eight turns. A compiler that has no such request leaves the loop as it is.
 #if defined(__GNUC__)

@@ -1,5 +1,5 @@
 #pragma once
-/// Payload or push? What happened, judged by how well each explanation predicts the window.
+/// Payload or push? The log evidence of a window of samples for each.
 #include <rme/core/cholesky.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/status.hpp>
@@ -8,13 +8,14 @@
 
 namespace rme {
 
-/// What a hand or an obstacle may do to the end effector: a constant wrench of any direction about its origin.
+/// Prior of a push: a constant wrench w ~ N(0, S) in any direction, at the end-effector origin.
 struct PushPrior {
   double force = 15;    ///< standard deviation of each component [N], > 0
   double moment = 1.5;  ///< standard deviation of each component [N m], > 0
 };
 
-/// log p(y | the hand holds exactly `payload`, and nothing else acts), nuisances integrated out.
+/// log p(y | the hand holds exactly `payload`, and nothing else acts), nuisances integrated out [nats], up to a
+/// constant that push_log_evidence() shares.
 template <typename Scalar>
 Scalar payload_log_evidence(const PayloadLikelihood<Scalar>& likelihood, const Payload<Scalar>& payload) noexcept {
   return likelihood.log_likelihood(payload.vector()) + likelihood.log_factor;
@@ -29,8 +30,8 @@ Scalar payload_log_evidence(const PayloadLikelihood<Scalar>& likelihood, const P
 /// @param joints             of the window, from PayloadStatistics::marginals
 /// @param payload            what the hand holds
 /// @param jacobian           J, 6 x Dofs, of the window, over which it is taken as constant
-/// @param prior              S: how hard a hand may push
-/// @param[out] log_evidence  as it was unless the status is Ok
+/// @param prior              S
+/// @param[out] log_evidence  [nats]; as it was unless the status is Ok
 /// @return Ok, or NotPositiveDefinite if a number overflowed
 template <typename Scalar, int Dofs>
 Status push_log_evidence(const typename PayloadStatistics<Scalar, Dofs>::Marginals& joints,

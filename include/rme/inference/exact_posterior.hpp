@@ -20,15 +20,15 @@ struct ExactPosterior : InferenceResult<Scalar> {
   Scalar excess_kurtosis = Scalar(0);  ///< of the mass; 0 for a Gaussian
 };
 
-/// Chooses the exact posterior. There is nothing to set.
+/// Selects the exact posterior as the solver. It has no settings.
 struct ExactQuadrature {};
 
 /// Integrates over r in closed form and over m by the trapezoidal rule, which converges geometrically for a smooth
 /// density that has died out at both ends (docs/theory.md, "The exact posterior"). A coarse pass over the prior's mean
-/// +- 6 standard deviations, and beyond where the density still rises, shows the modes, a golden-section search
-/// sharpens each, and the fine pass covers whatever lies within e^-20 of the highest. Real time: one 3x3
-/// eigendecomposition, 196 evaluations of the mass's density at most and 233 for each mode that is sharpened (three as
-/// a rule, of which one counts; about 300 in all), each with a logarithm and three divisions; no allocation.
+/// +- 6 standard deviations, and beyond where the density still rises, finds the modes, a golden-section search refines
+/// each, and the fine pass covers all that lies within e^-20 of the highest. Real time: one 3x3 eigendecomposition, at
+/// most 196 evaluations of the mass's density and 233 for each refined mode (usually three, of which one counts; about
+/// 300 in all), each with a logarithm and three divisions; no allocation.
 /// @param likelihood   of the window
 /// @param prior        over (m, r), covariance positive definite
 /// @param[out] result  as it was unless the status is Ok
@@ -37,7 +37,7 @@ template <typename Scalar>
 Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
                        ExactPosterior<Scalar>& result) noexcept;
 
-/// The same in the form that all solvers share.
+/// The same in the form that all solvers share (inference_result.hpp).
 template <typename Scalar>
 Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
              InferenceResult<Scalar>& result, const ExactQuadrature& /*config*/) noexcept {

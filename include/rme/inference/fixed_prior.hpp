@@ -5,11 +5,10 @@
 
 namespace rme {
 
-/// What hands usually pick up: 0.8 +- 0.6 kg, 10 +- 6 cm ahead of the flange and within 5 cm of its axis.
-/// Called as NetworkPrior is, whatever the window.
+/// 0.8 +- 0.6 kg, 10 +- 6 cm in front of the flange and 0 +- 5 cm from its axis. Called as NetworkPrior is.
 template <typename Scalar>
 struct FixedPrior {
-  /// What is said to every window.
+  /// The prior, for every window.
   PayloadGaussian<Scalar> gaussian = PayloadGaussian<Scalar>::independent(
       {Scalar(0.8), Scalar(0), Scalar(0), Scalar(0.1)}, {Scalar(0.6), Scalar(0.05), Scalar(0.05), Scalar(0.06)});
 

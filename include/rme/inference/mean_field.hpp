@@ -13,7 +13,7 @@
 
 namespace rme {
 
-/// Chooses the mean-field family, which is the published one: a diagonal Gaussian. Mass and centre of mass are
+/// Selects the mean-field family, which is the published one: a diagonal Gaussian. Mass and centre of mass are
 /// correlated, so its intervals are too short; the full covariance costs no more.
 struct MeanFieldConfig {
   int max_iterations = 50;  ///< bound on the work; about 6 are needed
@@ -26,15 +26,14 @@ struct MeanFieldConfig {
 ///
 ///     1 / v_i = -E_q[hess log p]_ii
 ///
-/// and so has each mean alone; but mass and centre of mass are correlated, and one at a time they creep. The means
-/// therefore take a Newton step together, halved until the ELBO does not fall; if none helps they go one at a time.
+/// So has each mean, given the others; but mass and centre of mass are correlated, and updated in turn they creep. So
+/// the means take a Newton step together, halved until the ELBO does not fall; if none helps they are updated in turn.
 /// Real time: at most max_iterations sweeps with at most 20 halvings each, all 4x4, no allocation.
 /// @param likelihood   of the window
 /// @param prior        over (m, r), covariance positive definite
 /// @param[out] result  the best iterate; as it was if the status is NonFiniteInput or NotPositiveDefinite
-/// @param config       chooses this solver
-/// @return Ok; NotConverged (result holds the best iterate); NonFiniteInput; NotPositiveDefinite (the prior's
-/// covariance)
+/// @param config       bounds on the work
+/// @return Ok; NotConverged (result holds the best iterate); NonFiniteInput; NotPositiveDefinite (prior's covariance)
 template <typename Scalar>
 Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
              InferenceResult<Scalar>& result, const MeanFieldConfig& config) noexcept;

@@ -1,5 +1,5 @@
 #pragma once
-/// A Gaussian over a payload's mass and centre of mass: what a prior and a posterior are.
+/// A Gaussian over a payload's mass and centre of mass: a prior or a posterior.
 #include <Eigen/Cholesky>
 #include <rme/core/payload.hpp>
 #include <rme/core/types.hpp>
@@ -17,7 +17,9 @@ struct PayloadGaussian {
   /// Marginal standard deviations, 4x1.
   Vector4<Scalar> standard_deviation() const noexcept { return covariance.diagonal().cwiseSqrt(); }
 
-  /// Independent entries: each standard deviation > 0.
+  /// The Gaussian with independent entries.
+  /// @param mean                4x1 [kg, m, m, m]
+  /// @param standard_deviation  4x1 [kg, m, m, m], each > 0
   static PayloadGaussian independent(const Vector4<Scalar>& mean, const Vector4<Scalar>& standard_deviation) noexcept {
     return {mean, standard_deviation.cwiseAbs2().asDiagonal()};
   }

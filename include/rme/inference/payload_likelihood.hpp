@@ -1,5 +1,5 @@
 #pragma once
-/// All that a window of any length says about a payload: 15 numbers.
+/// The likelihood of a payload, for a window of any length: 15 numbers.
 #include <cmath>
 #include <rme/core/types.hpp>
 
@@ -10,7 +10,7 @@ namespace rme {
 ///     L(theta) = -1/2 [ yy - 2 m (ya + yB . r) + m^2 (aa + 2 aB . r + r^T BB r) ]
 ///
 /// Each number is a precision-weighted sum over samples and joints, e.g. aB = sum_t B_t^T W a_t; dimensionless when m
-/// is in kg and r in m. PayloadStatistics makes it.
+/// is in kg and r in m. PayloadStatistics computes it.
 template <typename Scalar>
 struct PayloadLikelihood {
   Scalar yy = Scalar(0);                         ///< sum of y^T W y
@@ -19,7 +19,8 @@ struct PayloadLikelihood {
   Vector3<Scalar> yB = Vector3<Scalar>::Zero();  ///< sum of B^T W y
   Vector3<Scalar> aB = Vector3<Scalar>::Zero();  ///< sum of B^T W a
   Matrix3<Scalar> BB = Matrix3<Scalar>::Zero();  ///< sum of B^T W B
-  /// Log of the factor in front, up to one that every sensor model of the same window shares: only to compare those.
+  /// Log of the likelihood's constant factor, up to a term that all sensor models share: to compare sensor models of
+  /// the same window.
   Scalar log_factor = Scalar(0);
 
   /// @param products  precision-weighted products of (y, a, B_x, B_y, B_z), 5x5, symmetric
@@ -41,8 +42,8 @@ struct PayloadLikelihood {
     return Scalar(-0.5) * (yy - 2 * m * (ya + yB.dot(r)) + m * m * (aa + 2 * aB.dot(r) + r.dot(BB * r)));
   }
 
-  /// L(theta) - L(m = 0): how much better a payload explains the window than an empty hand. Without yy, whose size
-  /// would drown the rest.
+  /// L(theta) - L(m = 0): how much better a payload explains the window than an empty hand. yy cancels, in which the
+  /// rest would be lost to rounding.
   /// @param theta          (m [kg], r [m]), 4x1
   /// @param[out] gradient  with respect to theta, 4x1
   Scalar log_likelihood_ratio(const Vector4<Scalar>& theta, Vector4<Scalar>& gradient) const noexcept {

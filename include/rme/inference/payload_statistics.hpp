@@ -1,5 +1,5 @@
 #pragma once
-/// The running sums from which a payload is inferred, and the faults of a torque sensor marginalised out of them.
+/// The running sums from which a payload is inferred, with offset and friction integrated out.
 #include <array>
 #include <rme/core/cholesky.hpp>
 #include <rme/core/status.hpp>
@@ -9,8 +9,8 @@
 
 namespace rme {
 
-/// What a joint's torque carries beside the payload: offset + coulomb * c + viscous * v, with c the negative direction
-/// of motion and v the negative joint velocity (friction opposes motion). Three coefficients per joint.
+/// A joint's torque beside the payload's: offset + coulomb * c + viscous * v, with c the negative direction of motion
+/// and v the negative joint velocity, since friction opposes motion. Three coefficients per joint.
 inline constexpr int kNuisances = 3;
 template <typename Scalar>
 using NuisanceVector = Eigen::Matrix<Scalar, kNuisances, 1>;  ///< (offset [N m], coulomb [N m], viscous [N m s/rad])
@@ -34,8 +34,8 @@ struct PayloadObservation {
 };
 
 /// Sums over a window, per joint: the Gram matrix of z = (y, a, B_x, B_y, B_z, 1, -direction, -velocity). They do not
-/// depend on the noise level, the offset or the friction, which may therefore be settled afterwards; they add up, so
-/// windows can be joined. O(Dofs) per tick, whatever the window. The model is linear in (m, m r) here: exact at rest.
+/// depend on the noise level or on the priors of offset and friction, which are needed only afterwards. Sums of two
+/// windows can be added. O(Dofs) per tick, for any window. The model is linear in (m, m r) here: exact at rest.
 template <typename Scalar, int Dofs>
 class PayloadStatistics {
  public:
@@ -57,7 +57,7 @@ class PayloadStatistics {
     return z;
   }
 
-  /// Adds one tick at rest (Q is left out). The caller vouches for finite numbers.
+  /// Adds one tick at rest (Q is left out). The numbers have to be finite; they are not checked.
   void add(const PayloadObservation<Scalar, Dofs>& o) noexcept {
     for (int j = 0; j < Dofs; ++j) {
       const Row z = row(o, j);
@@ -75,14 +75,13 @@ class PayloadStatistics {
 
   int count() const noexcept { return count_; }  ///< ticks that were added
 
-  /// What one joint says once its nuisances are integrated out: precision-weighted products of u = (y, a, B_x, B_y,
-  /// B_z, 1) with y taken as y - N mu. Entry (i, j) is sum_t u_i u_j with the marginal precision in between; the last
-  /// column is that of a constant torque in this joint.
-  static constexpr int kSignals = 6;
-  /// The same, with the factor in front.
+  static constexpr int kSignals = 6;  ///< entries of u = (y, a, B_x, B_y, B_z, 1)
+  /// The sums of one joint with its nuisances integrated out.
   struct Marginal {
-    Eigen::Matrix<Scalar, kSignals, kSignals> products;  ///< symmetric
-    Scalar log_factor;  ///< -1/2 log det of the nuisances' posterior over prior precision
+    /// Products of u, with y - N mu in place of y, weighted by the marginal precision; symmetric. The last column is
+    /// for a constant torque in this joint.
+    Eigen::Matrix<Scalar, kSignals, kSignals> products;
+    Scalar log_factor;  ///< -1/2 log det of the nuisances' posterior precision over their prior precision
   };
 
   /// With precision w per sample and beta ~ N(mu, Lambda), by Woodbury (docs/theory.md (T36)):
@@ -93,7 +92,7 @@ class PayloadStatistics {
   /// @param precision  w [1/(N m)^2], > 0
   /// @param nuisance   beta ~ N(mu, Lambda)
   /// @param out        as it was unless the status is Ok
-  /// @return Ok, or NotPositiveDefinite for a nuisance covariance that is not; then `out` is as it was
+  /// @return Ok, or NotPositiveDefinite: the covariance of `nuisance`
   Status marginal(int joint, Scalar precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
                   Marginal& out) const noexcept {
     const auto j = static_cast<std::size_t>(joint);
@@ -127,7 +126,7 @@ class PayloadStatistics {
   /// @param precision  per joint and sample [1/(N m)^2], > 0
   /// @param nuisance   beta ~ N(mu, Lambda)
   /// @param out        one for each joint
-  /// @return Ok, or NotPositiveDefinite for a nuisance covariance that is not; then `out` holds nothing of use
+  /// @return Ok, or NotPositiveDefinite: the covariance of `nuisance`; `out` then holds nothing of use
   Status marginals(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
                    Marginals& out) const noexcept {
     for (int j = 0; j < Dofs; ++j) {
@@ -173,8 +172,11 @@ class PayloadStatistics {
     return out;
   }
 
-  /// The nuisances themselves, given that the payload is `payload` (an empty hand by default): per joint the posterior
-  /// of beta ~ N(mu, Lambda) after the window. How a baseline is learned.
+  /// Posterior of each joint's nuisances beta ~ N(mu, Lambda) after the window, for an empty hand: the baseline.
+  /// @param precision  per joint and sample [1/(N m)^2], > 0
+  /// @param prior      beta ~ N(mu, Lambda)
+  /// @param out        as it was unless the status is Ok
+  /// @return Ok, or NotPositiveDefinite: the covariance of `prior`
   Status nuisance_posterior(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& prior,
                             NuisanceGaussian<Scalar, Dofs>& out) const noexcept {
     NuisanceGaussian<Scalar, Dofs> posterior;

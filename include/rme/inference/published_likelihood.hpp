@@ -1,5 +1,5 @@
 #pragma once
-/// The likelihood of the paper: white noise as large as a quarter of what the torque has varied by.
+/// The likelihood of the paper: white noise of a quarter of the torque's range.
 #include <algorithm>
 #include <limits>
 #include <rme/core/status.hpp>
@@ -20,11 +20,10 @@ struct PublishedLikelihoodConfig {
 ///
 ///     sigma_j = max(0.25 (max_t tau_j - min_t tau_j), 0.1 N m)     (docs/theory.md (T42))
 ///
-/// No offset, no friction, no correlation: PayloadStatistics::likelihood with nuisances is the one to be preferred. The
-/// paper takes the raw tau_ext and the regressor at rest.
+/// It has no offset, no friction and no correlation: PayloadStatistics::likelihood with nuisances is better. The paper
+/// takes the raw tau_ext and the regressor at rest.
 /// @param count            samples in the window, >= 1; with fewer than config.samples some are taken twice
-/// @param at               callable (int i) -> PayloadObservation (its tau and regressor are used), i from 0 to count -
-///                         1
+/// @param at               callable (int i) -> PayloadObservation, i from 0 to count - 1; tau and regressor are used
 /// @param[out] likelihood  as it was unless the status is Ok
 /// @param config           the defaults are the published ones
 /// @return Ok; NotReady (an empty window); NonFiniteInput

@@ -1,5 +1,5 @@
 #pragma once
-/// The faults of an arm's torque sensing, as numbers: what a window of tau_ext holds beside the payload.
+/// Offset, friction and noise of the torque in a window of samples.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,17 +10,17 @@
 
 namespace rme {
 
-/// Per joint, what tau_ext carries beside the payload (docs/theory.md (T34)):
+/// Model of a joint's tau_ext (docs/theory.md (T34)):
 ///
 ///     tau_ext = payload + offset + stiction - coulomb * direction - viscous * dq + noise
 template <typename Scalar, int Dofs>
 struct SensorModel {
   using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
 
-  /// Standard deviation of what varies within a window, over the correlation time [N m], > 0. White noise of standard
-  /// deviation s per sample of period dt counts as s sqrt(dt / (2 noise_correlation_time)).
+  /// Standard deviation of the error that varies within a window, with the correlation time below [N m], > 0. White
+  /// noise of standard deviation s per sample of period dt counts as s sqrt(dt / (2 noise_correlation_time)).
   Vector noise;
-  Scalar noise_correlation_time = Scalar(0.02);  ///< over which it varies, the same for models that compete [s], > 0
+  Scalar noise_correlation_time = Scalar(0.02);  ///< [s], > 0; the same for all models that are compared
   Vector offset;    ///< standard deviation of the part that stays for minutes: sensor offset, model error [N m], > 0
   Vector stiction;  ///< standard deviation of the part that changes with every event: friction at rest [N m], > 0
   Vector coulomb_mean;  ///< Coulomb friction that tau_ext shows [N m], 0 with link-side sensing
@@ -43,23 +43,24 @@ struct SensorModel {
   Scalar independent_samples(Scalar dt, int count) const noexcept {
     return independence(dt) * static_cast<Scalar>(count);
   }
-  /// Log of the noise's normaliser over `count` samples, up to what all sensor models share: to compare their evidence.
+  /// Log of the noise's normaliser over `count` samples, up to a term that all sensor models share: to compare their
+  /// evidence.
   Scalar log_factor(Scalar dt, int count) const noexcept {
     return -independent_samples(dt, count) * sum_of_logs(noise);
   }
 
-  /// Nuisances of a window of which nothing else is known.
+  /// Prior of the nuisances where no baseline is known.
   NuisanceGaussian<Scalar, Dofs> prior() const noexcept;
 
-  /// Nuisances of the next event, given their posterior over a quiet window with an empty hand. The sensor's offset
-  /// survives the event and stiction does not, and the quiet window has shown only their sum: of its mean the share
-  /// rho = offset^2 / (offset^2 + stiction^2) is kept (docs/theory.md (T37)), and the rest of the variance returns.
-  /// Friction coefficients stay.
+  /// Prior of the nuisances for the next event, given their posterior over a quiet window with an empty hand. The
+  /// sensor's offset stays the same over the event, and stiction does not, but the quiet window shows only their sum:
+  /// the share rho = offset^2 / (offset^2 + stiction^2) of its mean is kept (docs/theory.md (T37)), and the variance
+  /// grows back accordingly. Friction coefficients stay.
   NuisanceGaussian<Scalar, Dofs> after_event(const NuisanceGaussian<Scalar, Dofs>& baseline) const noexcept;
 
  private:
   Scalar independence(Scalar dt) const noexcept { return std::min(Scalar(1), dt / (2 * noise_correlation_time)); }
-  /// The arm's joints from the base to the elbow carry more torque, and err more, than those of the wrist.
+  /// One value for the joints from the base to the elbow, which have larger torques and errors, another for the wrist.
   static Vector graded(double proximal, double distal) noexcept {
     Vector v = Vector::Constant(static_cast<Scalar>(distal));
     v.template head<(Dofs + 1) / 2>().setConstant(static_cast<Scalar>(proximal));

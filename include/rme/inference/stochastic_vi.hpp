@@ -12,37 +12,36 @@
 
 namespace rme {
 
-/// Chooses the published solver; the defaults are the published settings. Steps are in kg, m, and logarithms of
-/// standard deviations, all alike: with a learning rate of 0.025 the centre of mass jitters by about as much as its
-/// prior is wide.
+/// Selects the published solver; the defaults are the published settings. One learning rate serves kg, m and logarithms
+/// of standard deviations: with 0.025 the centre of mass jitters by about as much as its prior is wide.
 struct StochasticViConfig {
   double learning_rate = 0.025;  ///< of Adam, > 0
-  double gradient_norm = 1;      ///< longer gradients are shortened to this, > 0; finite values bias the optimum
+  double gradient_norm = 1;      ///< gradients are clipped to this norm, > 0; finite values bias the optimum
   int max_steps = 2500;          ///< bound on the work
   int first_check = 700;         ///< steps before the first check for convergence
   int check_interval = 10;       ///< steps between two checks, > 0
-  double small_change = 0.04;    ///< between two checks, of all eight parameters (norm)
-  int small_changes = 2;         ///< so many in a row end the run
+  double small_change = 0.04;    ///< norm of the change of all eight parameters between two checks that counts as small
+  int small_changes = 2;         ///< the run ends after so many small changes in a row
   /// Where it starts, about the prior's mean [kg, m, m, m], each > 0.
   std::array<double, 4> initial_deviation = {1, 0.05, 0.05, 0.1};
   int evidence_draws = 100;  ///< over which the reported ELBO is averaged, > 0
 };
 
-/// Climbs the ELBO of a diagonal Gaussian q = N(mu, diag(exp(2 s))) along its one-sample reparametrised gradient: with
+/// Maximises the ELBO of a diagonal Gaussian q = N(mu, diag(exp(2 s))) by its one-sample reparametrised gradient: with
 /// theta = mu + exp(s) epsilon, epsilon ~ N(0, 1), and g = grad log p(y, theta),
 ///
 ///     d/dmu = g,   d/ds = g exp(s) epsilon + 1                               (docs/theory.md (T41))
 ///
-/// taken by Adam [Kingma and Ba 2015] with decay rates 0.9 and 0.999. The last iterate is the answer, noise included.
-/// Bounded work, but milliseconds of it: not for the control tick. No allocation.
+/// with Adam [Kingma and Ba 2015], decay rates 0.9 and 0.999. The last iterate is the result, noise included. The work
+/// is bounded, but too much for a control tick (docs/performance.md). No allocation.
 /// @param log_likelihood  callable (const Vector4& theta, Vector4& gradient) -> Scalar, noexcept: log p(y | theta) up
 ///                        to a constant, which is then that of InferenceResult::log_evidence
 /// @param prior           over (m, r), covariance positive definite
 /// @param[out] result     the last iterate; as it was if the status is NonFiniteInput or NotPositiveDefinite
 /// @param config          the defaults are the published ones
 /// @param random          a generator in the sense of the standard library, advanced; it must not throw
-/// @return Ok; NotConverged (max_steps reached: usual, and result is valid); NonFiniteInput (also if the likelihood is
-/// not finite); NotPositiveDefinite (the prior's covariance)
+/// @return Ok; NotConverged: max_steps is reached, as usual, and the result is valid; NonFiniteInput, also if the
+///         likelihood is not finite; NotPositiveDefinite: the prior's covariance
 template <typename LogLikelihood, typename Scalar, typename Random>
 Status infer(const LogLikelihood& log_likelihood, const PayloadGaussian<Scalar>& prior, InferenceResult<Scalar>& result,
              const StochasticViConfig& config, Random& random) noexcept;
@@ -60,7 +59,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
 
 namespace detail {
 
-/// Adam with its gradient shortened to a norm, uphill over N parameters.
+/// Adam with clipped gradients, for a maximum over N parameters.
 template <typename Scalar, int N>
 class Adam {
  public:

@@ -23,7 +23,8 @@ class ExpectedLogJoint {
                    const Matrix4<Scalar>& prior_precision) noexcept
       : l_(likelihood), prior_mean_(prior_mean), prior_precision_(prior_precision) {}
 
-  /// E_q[log p(y, theta)] under q = N(mu, Sigma), up to a constant: yy is left out, whose size would drown the rest.
+  /// E_q[log p(y, theta)] under q = N(mu, Sigma), up to a constant: without yy, in which the rest would be lost to
+  /// rounding.
   Scalar value(const Vector4<Scalar>& mu, const Matrix4<Scalar>& Sigma) const noexcept {
     const Moments q(mu, Sigma);
     const Scalar m2_rQr =
@@ -82,8 +83,8 @@ class ExpectedLogJoint {
   Matrix4<Scalar> prior_precision_;
 };
 
-/// Chooses the full covariance, which is the default: closed form, and honest about the correlation of mass and centre
-/// of mass.
+/// Selects the Gaussian with full covariance, which is the default: closed form, with the correlation of mass and
+/// centre of mass.
 struct VariationalInferenceConfig {
   int max_iterations = 50;  ///< bound on the work; about 8 are needed
   double tolerance = 1e-4;  ///< stop when a step is below this many posterior standard deviations
@@ -93,17 +94,15 @@ struct VariationalInferenceConfig {
 ///
 ///     Sigma^-1 = -E_q[hess log p],   mu <- mu + Sigma E_q[grad log p]
 ///
-/// taken in the natural parameters and shortened until the ELBO does not fall. Real time: at most max_iterations steps
-/// with at most 20 shortenings each, all 4x4, no allocation.
+/// with steps in the natural parameters, halved until the ELBO does not fall. Real time: at most max_iterations steps
+/// with at most 20 halvings each, all 4x4, no allocation.
 /// @param likelihood   of the window
 /// @param prior        over (m, r), covariance positive definite
 /// @param[out] result  the best iterate; as it was if the status is NonFiniteInput or NotPositiveDefinite
 /// @param config       bounds on the work
-/// @param start        a mean to start from, such as that of nearly the same data, which takes fewer steps; if null,
-///                     the prior's centre of mass with the mass that fits best there. It decides on which side of m = 0
-///                     q lies
-/// @return Ok; NotConverged (result holds the best iterate); NonFiniteInput; NotPositiveDefinite (the prior's
-/// covariance)
+/// @param start        a mean to start from, such as that of nearly the same data, which saves steps; if null, the
+///                     prior's centre of mass with the mass that fits best there. It decides the sign of q's mass
+/// @return Ok; NotConverged (result holds the best iterate); NonFiniteInput; NotPositiveDefinite (prior's covariance)
 template <typename Scalar>
 Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
              InferenceResult<Scalar>& result, const VariationalInferenceConfig& config = VariationalInferenceConfig(),
@@ -111,8 +110,8 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
 
 namespace detail {
 
-/// Where the iteration starts: at the prior's centre of mass and the mass that fits best there. The mode's basin is
-/// then the one on the prior's side of m = 0.
+/// Where the iteration starts: at the prior's centre of mass and the mass that fits best there. It then converges to
+/// the mode on the prior's side of m = 0.
 template <typename Scalar>
 Vector4<Scalar> initial_mean(const PayloadLikelihood<Scalar>& l, const Vector4<Scalar>& prior_mean,
                              const Matrix4<Scalar>& prior_precision) noexcept {
@@ -164,8 +163,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
 
   Iterate q;
   q.mu = start != nullptr ? *start : detail::initial_mean(likelihood, prior.mean, prior_precision);
-  // The curvature at the start is positive definite where the fit is good or the prior dominates; the prior's always
-  // is.
+  // The curvature at the start is positive definite where the fit is good or the prior dominates; the prior's always.
   q.P = joint.precision(q.mu, Matrix4<Scalar>::Zero());
   if (!invert(q)) {
     q.P = prior_precision;

@@ -12,7 +12,7 @@ struct PublishedArchitecture {
   static constexpr int kConvKernel = 5;     ///< taps over time; odd, padded so that the length stays
   static constexpr int kHeads = 8;          ///< divides kConvChannels
   static constexpr int kMlpHidden = 256;    ///< H
-  static constexpr int kMlpRepeats = 3;     ///< the block is applied so often, with the same weights
+  static constexpr int kMlpRepeats = 3;     ///< times that the block is applied, with the same weights
   static constexpr int kOutputs = 4;        ///< theta = (m [kg], r_x, r_y, r_z [m])
   /// As in a weights file.
   static constexpr std::array<const char*, kOutputs> kOutputNames{"mass", "com_x", "com_y", "com_z"};

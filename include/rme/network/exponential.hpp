@@ -30,8 +30,8 @@ Scalar exp_series(Scalar r, std::index_sequence<K...>) noexcept {
 
 }  // namespace detail
 
-/// exp(x) for -80 <= x <= 0, to within a few units in the last place. It has no branches, so that compilers vectorise a
-/// loop of it, and always takes the same time: x = n ln 2 + r with |r| <= ln 2 / 2, and exp(r) by its Taylor series.
+/// exp(x) for -80 <= x <= 0, to within a few units in the last place: x = n ln 2 + r with |r| <= ln 2 / 2, and exp(r)
+/// by its Taylor series. Without branches, so that compilers vectorise loops of it and it always takes the same time.
 template <typename Scalar>
 Scalar softmax_exp(Scalar x) noexcept {
   static_assert(std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>);

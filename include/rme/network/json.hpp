@@ -14,16 +14,16 @@
 
 namespace rme {
 
-/// What a weights file holds. As large as its weights.
+/// The contents of a weights file. As large as its weights.
 template <typename Scalar, typename Architecture = PublishedArchitecture>
 struct MismatchModel {
   std::string robot;                                     ///< the arm it was trained for, e.g. "Franka Emika Panda"
-  std::string end_effector;                              ///< whose origin and axes it means, e.g. "flange"
-  nlohmann::json training = nlohmann::json::object();    ///< where it comes from, free-form
+  std::string end_effector;                              ///< the frame that it means, e.g. "flange"
+  nlohmann::json training = nlohmann::json::object();    ///< how it was trained, free-form
   MismatchNetworkWeights<Scalar, Architecture> weights;  ///< of the network
 };
 
-/// The model that a JSON value describes; all of it or none.
+/// The model that a JSON value describes.
 /// @throws std::invalid_argument naming the first field that is missing, surplus, of the wrong type, shape or
 ///         architecture, or not a finite number in Scalar, with what was expected there and what came
 template <typename Scalar, typename Architecture = PublishedArchitecture>
@@ -109,7 +109,7 @@ nlohmann::json write_numbers(const std::array<int, Rank>& shape, const Scalar*& 
   return value;
 }
 
-/// Copying and writing a JSON value recurse, so that a file of a million brackets would end the program.
+/// Copying and writing a JSON value recurse: a file with a million brackets would overflow the stack.
 inline void require_depth(const nlohmann::json& value, const std::string& path, int levels) {
   if (!value.is_structured()) return;
   if (levels == 0) refuse_json(path, "at most " + std::to_string(kDeepestTraining) + " levels of nesting", "more");

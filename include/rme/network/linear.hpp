@@ -19,7 +19,7 @@ struct Linear {
   }
 };
 
-/// The one layer that does what `inner` and then `outer` do: W = W_o W_i, b = W_o b_i + b_o.
+/// The layer that equals `inner` followed by `outer`: W = W_o W_i, b = W_o b_i + b_o.
 template <typename Scalar, int In, int Between, int Out>
 Linear<Scalar, In, Out> compose(const Linear<Scalar, Between, Out>& outer, const Linear<Scalar, In, Between>& inner) {
   Linear<Scalar, In, Out> both;

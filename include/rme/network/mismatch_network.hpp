@@ -1,5 +1,5 @@
 #pragma once
-/// The network that guesses the payload from the first 200 ms of pseudo-wrench.
+/// The network that guesses a payload from 200 ms of pseudo-wrenches.
 #include <Eigen/Core>
 #include <cmath>
 #include <rme/core/require.hpp>
@@ -15,13 +15,13 @@ namespace rme {
 /// Normalisation, convolution over time, positional embedding, self-attention, mean over time, the shared MLP block,
 /// head (docs/weights.md has the formulas).
 ///
-/// What is linear is multiplied out once, at construction and in double:
-///  - convolution, positional embedding and the queries' and keys' projection become one layer on patches of the input;
-///  - the mean over time goes through the output projection and the values into the attention weights: each head needs
-///    its values at one weighted mean of the samples, not at each sample;
-///  - the MLP's last layer is part of the head.
-/// The output projection stays by itself: in the MLP's first layer it would save a fortieth of the arithmetic, and cost
-/// a quarter more memory to go through.
+/// Consecutive linear layers are merged at construction, in double:
+///  - convolution, positional embedding and projection to queries and keys become one layer on patches of the input;
+///  - the mean over time is taken over the attention weights instead of the outputs, so that each head needs its values
+///    at one weighted mean of the samples only;
+///  - the MLP's last layer becomes part of the head.
+/// The output projection is not merged with the MLP's first layer: that would save a fortieth of the arithmetic, and
+/// make the weights a quarter larger.
 ///
 /// Real time: forward() allocates nothing, throws nothing and always does the same arithmetic. The object holds
 /// everything by value, 190 KB in float and 380 KB in double: let it be a member, static, or on the heap.
@@ -30,16 +30,19 @@ class MismatchNetwork {
   using A = Architecture;
 
  public:
-  using Weights = MismatchNetworkWeights<Scalar, Architecture>;  ///< what it is made of
+  using Weights = MismatchNetworkWeights<Scalar, Architecture>;  ///< the weights that it is constructed from
   /// Pseudo-wrenches, one sample per row, oldest first: force [N] x3, moment [N m] x3, in the axes of frame().
   using Window = Eigen::Matrix<Scalar, A::kSamples, A::kChannels>;
   using Output = Eigen::Matrix<Scalar, A::kOutputs, 1>;  ///< theta = (m [kg], r_x, r_y, r_z [m])
 
+  /// @param weights  are copied
   /// @throws std::invalid_argument naming the tensor if a number is not finite or a standard deviation is not > 0
   explicit MismatchNetwork(const Weights& weights);
 
-  /// @return Ok, or NonFiniteInput if the window holds a NaN, an infinity, or numbers so large that the result would:
-  ///         then `out` is untouched
+  /// The network's output for a window.
+  /// @param window    20 x 6 with the published architecture
+  /// @param[out] out  theta, 4 x 1; as it was unless the status is Ok
+  /// @return Ok; NonFiniteInput, also for numbers so large that the result overflows
   Status forward(const Window& window, Output& out) const noexcept;
 
   InputFrame frame() const noexcept { return frame_; }  ///< axes of the window's pseudo-wrenches
@@ -122,7 +125,7 @@ MismatchNetwork<Scalar, Architecture>::MismatchNetwork(const Weights& w) : frame
       (in_proj.weight * position).colwise() + in_proj.bias;
   query_key_weight_ = projected_weight.template topRows<2 * kEmbed>().transpose().template cast<Scalar>();
   query_key_position_ = projected_position.template topRows<2 * kEmbed>().transpose().template cast<Scalar>();
-  // The attention weights of a query sum to 1, so that the values' bias may ride on them.
+  // The attention weights of a query sum to 1, so that the values' bias may be added before they are applied.
   value_weight_ = projected_weight.template bottomRows<kEmbed>().template cast<Scalar>();
   value_position_ = projected_position.template bottomRows<kEmbed>().template cast<Scalar>();
 

@@ -5,10 +5,10 @@
 
 namespace rme {
 
-/// x <- W_2 relu(W_1 x + b_1) + b_2, `Repeats` times with the same weights; nothing stands between the repeats.
+/// x <- W_2 relu(W_1 x + b_1) + b_2, `Repeats` times with the same weights and nothing in between.
 template <typename Scalar, int Width, int Hidden, int Repeats>
 struct SharedMlp {
-  static_assert(Repeats >= 1, "a network without its MLP block is another network");
+  static_assert(Repeats >= 1, "SharedMlp: at least one repeat");
   Linear<Scalar, Width, Hidden> expand;    ///< W_1, b_1: mlp.0
   Linear<Scalar, Hidden, Width> contract;  ///< W_2, b_2: mlp.2
 

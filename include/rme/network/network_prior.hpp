@@ -18,34 +18,32 @@ namespace rme {
 /// Settings of NetworkPrior.
 template <typename Scalar>
 struct NetworkPriorConfig {
-  /// Standard deviations around the guess (m [kg], r_x, r_y, r_z [m]), each > 0. The published mass, since the window
-  /// itself settles that; the centre of mass by how far the network is usually off across gravity, any axis.
+  /// Standard deviations around the guess (m [kg], r_x, r_y, r_z [m]), each > 0. That of the mass is the published one:
+  /// the likelihood knows the mass better. Those of the centre of mass are the network's usual error across gravity.
   Vector4<Scalar> standard_deviation = {Scalar(0.5), Scalar(0.02), Scalar(0.02), Scalar(0.02)};
-  /// A window with a sample further than this many standard deviations of the training data from their mean is none
-  /// that the network has learned from, and `unknown` is the prior; > 0.
+  /// If a sample of the window is more than this many standard deviations of the training data from their mean, the
+  /// network is not asked, and `unknown` is the prior; > 0.
   Scalar farthest = Scalar(4);
-  FixedPrior<Scalar> unknown;  ///< the prior where the network cannot be asked, and along gravity
+  FixedPrior<Scalar> unknown;  ///< the prior where the network is not asked, and along gravity
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
   double spacing = 0.01;                                 ///< between the samples that the network sees [s], > 0
   Scalar damping = Scalar(0.01);  ///< lambda of the pseudo-wrench, as in training, > 0; the published one by default
 };
 
-/// A Gaussian centred on the network's output, except along gravity. Where the centre of mass lies along gravity does
-/// not show at rest, so that the network's guess there is only noise around the mean of its training; the fixed prior's
-/// says as much without it. With d the direction of gravity in end-effector axes,
+/// A Gaussian centred on the network's output, except along gravity. That part of the centre of mass does not show at
+/// rest, so that the network's guess of it is noise around the mean of its training data; the fixed prior is used
+/// there. With d the direction of gravity in end-effector axes,
 ///
 ///     r = (1 - d d^T) r_network + d d^T r_fixed, and the covariance likewise.
 ///
-/// A window that is foreign to the network is recognised, and the fixed prior used instead. What a guess is worth:
-/// docs/weights.md.
+/// For a window far from the training data, the fixed prior is used instead. What a guess is worth: docs/weights.md.
 ///
 ///     const auto network = std::make_unique<MismatchNetwork<float>>(model.weights);  // must outlive the prior
 ///     const NetworkPrior<double> prior(*network, 0.001);
 ///     PayloadGaussian<double> payload = prior(window, 200);  // of the newest 200 samples of a SampleWindow
 ///
-/// @tparam NetworkScalar  of the network. Weights are learned in float, and a network in float serves a prior in double
-/// as
-///                        well as one in double would, in half the time and half the memory
+/// @tparam NetworkScalar  of the network. Weights are learned in float: a network in float is as accurate for a prior
+///                        in double as one in double, and takes half the time and half the memory
 template <typename Scalar, typename Architecture = PublishedArchitecture, typename NetworkScalar = float>
 class NetworkPrior {
  public:
@@ -58,12 +56,15 @@ class NetworkPrior {
   NetworkPrior(const Network& network, double dt,
                const NetworkPriorConfig<Scalar>& config = NetworkPriorConfig<Scalar>());
 
-  /// What the network says to the newest of the `count` samples that were collected.
-  /// @return false if there are too few of them or the network has learned from none like them: then `out` is untouched
+  /// The network's output for the newest samples of the window.
+  /// @param window    samples
+  /// @param count     samples since the event, of which the network sees the newest 20 that are `spacing` apart
+  /// @param[out] out  theta; as it was if the result is false
+  /// @return false if `count` is too small or the samples are too far from the training data
   template <int Dofs>
   bool guess(const SampleWindow<Scalar, Dofs>& window, std::size_t count, Vector4<Scalar>& out) const noexcept;
 
-  /// The prior of a payload, of which the newest `count` samples of the window show something.
+  /// The prior of a payload that shows in the newest `count` samples of the window.
   template <int Dofs>
   PayloadGaussian<Scalar> operator()(const SampleWindow<Scalar, Dofs>& window, std::size_t count) const noexcept;
 

@@ -16,11 +16,11 @@ template <typename Queries, typename Keys, typename Scalar, int Samples>
 Eigen::Matrix<Scalar, Samples, 1> softmax_numerators(const Eigen::MatrixBase<Queries>& queries,
                                                      const Eigen::MatrixBase<Keys>& keys,
                                                      Eigen::Matrix<Scalar, Samples, Samples>& numerators) noexcept {
-  // Queries run along the contiguous direction, so that maximum, exponential and sum are all element by element.
+  // Queries run along the contiguous direction, so that maximum, exponential and sum vectorise.
   numerators.noalias() = queries.lazyProduct(keys.transpose());
   const Eigen::Matrix<Scalar, Samples, 1> highest = numerators.rowwise().maxCoeff();
   numerators.colwise() -= highest;
-  // Nothing is added by smaller ones, and those below the normal numbers take a hundred times as long.
+  // Smaller ones add nothing to the sum, and arithmetic with denormal numbers takes a hundred times as long.
   numerators = numerators.cwiseMax(Scalar(-80));
   Scalar* const all = numerators.data();
   for (int i = 0; i < Samples * Samples; ++i) all[i] = softmax_exp(all[i]);
@@ -30,7 +30,7 @@ Eigen::Matrix<Scalar, Samples, 1> softmax_numerators(const Eigen::MatrixBase<Que
 /// Attention weights of one head: softmax over the keys of q_t . k_s.
 /// @param queries  Samples x Size, one query per row, already scaled by 1 / sqrt(Size)
 /// @param keys     Samples x Size, one key per row
-/// @param weights  Samples x Samples: row t says how much query t takes from each sample; each row sums to 1
+/// @param weights  Samples x Samples: row t has the weights of query t over the samples; each row sums to 1
 template <typename Queries, typename Keys, typename Scalar, int Samples>
 void attention_weights(const Eigen::MatrixBase<Queries>& queries, const Eigen::MatrixBase<Keys>& keys,
                        Eigen::Matrix<Scalar, Samples, Samples>& weights) noexcept {
@@ -38,7 +38,10 @@ void attention_weights(const Eigen::MatrixBase<Queries>& queries, const Eigen::M
   weights.array().colwise() /= total.array();
 }
 
-/// Their mean over the queries: how much all of them together take from each sample, Samples x 1; sums to 1.
+/// Mean of attention_weights() over the queries.
+/// @param queries  Samples x Size, one query per row, already scaled by 1 / sqrt(Size)
+/// @param keys     Samples x Size, one key per row
+/// @return the mean weight of each sample, Samples x 1; sums to 1
 template <typename Scalar, int Samples, typename Queries, typename Keys>
 Eigen::Matrix<Scalar, Samples, 1> mean_attention_weights(const Eigen::MatrixBase<Queries>& queries,
                                                          const Eigen::MatrixBase<Keys>& keys) noexcept {

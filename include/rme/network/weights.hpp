@@ -1,5 +1,5 @@
 #pragma once
-/// A network's weights as plain arrays, laid out as PyTorch lays them out.
+/// A network's weights as plain arrays, in PyTorch's layout.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,13 +9,13 @@ namespace rme {
 
 /// The axes in which a network expects its pseudo-wrenches.
 enum class InputFrame : std::uint8_t {
-  World,        ///< as in the paper; such a network knows the poses it was trained in
-  EndEffector,  ///< diag(R^T, R^T) w: gravity's direction is in the input, and one network serves every pose
+  World,        ///< as in the paper; such a network is of use in the poses that it was trained in
+  EndEffector,  ///< diag(R^T, R^T) w: the input shows gravity's direction, so that one network serves every pose
 };
 
-/// Everything that makes a MismatchNetwork. An aggregate of row-major arrays under PyTorch's names (dots become
-/// underscores), so that it can be a constant in a program without files or JSON: examples/training/weights_to_header
-/// writes such a constant. Large: sizeof is 213 KB in float, 426 KB in double.
+/// The weights of a MismatchNetwork: an aggregate of row-major arrays under PyTorch's names (dots become underscores).
+/// It can be a constant in a program without files or JSON; examples/training/weights_to_header writes such a constant.
+/// Its size is 213 KB in float, 426 KB in double.
 template <typename Scalar, typename Architecture = PublishedArchitecture>
 struct MismatchNetworkWeights {
   using A = Architecture;  ///< the architecture's sizes

@@ -1,5 +1,5 @@
 #pragma once
-/// What the network sees of a collection: a few pseudo-wrenches, evenly spread over it.
+/// The network's input: pseudo-wrenches, evenly spaced over a collection.
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/network/weights.hpp>
@@ -8,15 +8,15 @@
 
 namespace rme {
 
-/// The M uniformly spaced pseudo-wrenches out of N samples (paper, Section 4.1 and Table 4): the newest of each of M
-/// equal parts. That is where training takes them; the paper does not say.
+/// M uniformly spaced pseudo-wrenches out of N samples (paper, Section 4.1 and Table 4): the newest of each of M equal
+/// parts, as in training; the paper does not say which.
 /// @param count    N, samples in the window
 /// @param at       callable (int i) -> Proprioception<Scalar, Dofs>, noexcept, i from 0 (the oldest) to count - 1
 /// @param damping  lambda of pseudo_wrench(), > 0; the paper's value is 1e-2
 /// @param frame    axes of the wrenches: world as in the paper, or end effector
 /// @param[out] sequence  M x 6, oldest first: force [N], moment [N m]; of no use unless the status is Ok
-/// @return Ok; NotReady (fewer samples than M); NonFiniteInput; NotPositiveDefinite: a Jacobian too large for the
-/// damping to be felt
+/// @return Ok; NotReady (fewer samples than M); NonFiniteInput; NotPositiveDefinite: the Jacobian is so large that the
+///         damping is lost to rounding
 template <typename Scalar, int Dofs, typename At, typename NetworkScalar, int M>
 Status pseudo_wrench_sequence(int count, const At& at, Scalar damping, InputFrame frame,
                               Eigen::Matrix<NetworkScalar, M, 6>& sequence) noexcept {

@@ -14,7 +14,7 @@ namespace rme {
 template <typename Scalar>
 struct PublishedPipelineConfig {
   MismatchDetectorConfig detector = MismatchDetectorConfig::published();  ///< of ||tau_ext||_2
-  double collection = 0.2;        ///< how long samples are gathered after the detection [s]: M to 1e6 samples
+  double collection = 0.2;        ///< how long samples are collected after the detection [s]: M to 1e6 samples
   Scalar damping = Scalar(0.01);  ///< lambda of the pseudo-wrenches that the network sees, > 0
   /// Of the prior around the network's output (m [kg], r_x, r_y, r_z [m]), each > 0.
   Vector4<Scalar> standard_deviation = {Scalar(0.5), Scalar(0.02), Scalar(0.02), Scalar(0.05)};

@@ -1,5 +1,5 @@
 #pragma once
-/// The paper's estimator, as published: detect, collect 200 ms, ask the network, infer, compensate.
+/// The paper's estimator as published: detect, collect 200 ms, ask the network, infer, compensate.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -26,35 +26,34 @@
 
 namespace rme {
 
-/// Rapid mismatch estimation as the paper has it (Section 4.1, Algorithm 1, Appendices A to F): for its tables, and to
-/// compare with. Estimator is the one to be preferred.
+/// Rapid mismatch estimation as in the paper (Section 4.1, Algorithm 1, Appendices A to F): for its tables and for
+/// comparisons. For a robot, use Estimator.
 ///
 ///  1. Algorithm 1 watches ||tau_ext||_2. A removal is a change as well, and is estimated as an attachment is.
 ///  2. The samples of the 200 ms after the detection are collected: N = 200 at 1 kHz.
 ///  3. M = 20 pseudo-wrenches of them go to the network, whose output is the mean of the prior.
 ///  4. 50 of them make the likelihood: raw tau_ext, a payload at rest, white noise, no offset and no friction.
 ///  5. Stochastic variational inference; the diagonal Gaussian that it ends with is the estimate.
-///  6. compensation() follows it from that tick on, and the watch goes on.
+///  6. compensation() uses it from that tick on, and Algorithm 1 watches again.
 ///
-/// Algorithm 1 knows the last 500 ms and nothing else, so a change is detected again, and estimated again, for as long
-/// as its beginning is within them and it has settled: usually twice. A sharp change may be noticed before the means
-/// move, and its first estimate then holds the transient. While samples are collected the detector listens, and is not
-/// asked.
+/// Algorithm 1 looks at the last 500 ms only. So a change that has settled is detected and estimated again for as long
+/// as its beginning is within them: usually twice. A sharp change may be detected before the means move; its first
+/// estimate then includes the transient. While samples are collected the detector is updated, and its result ignored.
 ///
-/// The inference multiplies rounding errors: its steps are as long as the prior is wide, so that a change of one part
-/// in 10^15 in the torque gives another draw in the end, centimetres away. Compilers that round differently give
-/// different estimates from the same seed.
+/// The inference amplifies rounding errors: its steps are as long as the prior is wide, so that a change of one part in
+/// 10^15 of the torque may move the estimate by centimetres. Compilers that round differently give different estimates
+/// from the same seed.
 ///
-/// The tick that ends a collection runs the whole inference, about half a millisecond for 2,500 steps on a desktop: not
-/// for the loop of a host. As published it ran in a process of its own, for 226 ms. No call but the constructor
+/// The tick that ends a collection runs the whole inference, about half a millisecond for 2,500 steps on a desktop: too
+/// long for the loop of a host. In the paper it ran in a process of its own, for 226 ms. No call but the constructor
 /// allocates or throws; the work is bounded.
-/// @tparam Network  MismatchNetwork, or a type with its Window, Output, frame() and forward(), all noexcept: without a
-///                  network, FixedGuess. Its Scalar may be another than the pipeline's
+/// @tparam Network  MismatchNetwork, or a type with its Window, Output, frame() and forward(), all noexcept; FixedGuess
+///                  for none. Its Scalar may differ from the pipeline's
 template <typename Scalar, int Dofs, typename Network = MismatchNetwork<float>>
 class PublishedPipeline {
  public:
   using Config = PublishedPipelineConfig<Scalar>;  ///< settings
-  using State = PublishedState<Scalar>;            ///< what it says
+  using State = PublishedState<Scalar>;            ///< its output
   using Torque = JointVector<Scalar, Dofs>;        ///< [N m]
 
   /// @param dt       control period [s], > 0
@@ -67,7 +66,7 @@ class PublishedPipeline {
   PublishedPipeline(double, const Network&&, const Config& = Config(), std::uint64_t = 1) = delete;
 
   /// Advances by one period.
-  /// @param sample  its tau_ext (what the environment exerts on the arm), J and R; the rest must make sense
+  /// @param sample  tau_ext (what the environment exerts on the arm), J and R are used; the rest must be plausible
   /// @return Ok; NonFiniteInput or NotARotation: the pipeline is then as it was, and the tick does not count
   Status update(const Proprioception<Scalar, Dofs>& sample) noexcept;
 

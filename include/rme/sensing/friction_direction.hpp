@@ -1,5 +1,5 @@
 #pragma once
-/// Which way, and how hard, dry friction holds each joint.
+/// The direction and share of dry friction in each joint.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/types.hpp>
@@ -8,22 +8,22 @@ namespace rme {
 
 /// The share of Coulomb friction that acts against each joint's motion, d in [-1, 1]: friction torque = -coulomb d.
 ///
-/// A moving joint has d = sign(dq). One that has come to rest keeps it at first: friction held it back until it
-/// stopped. From then on friction gives way to whatever else changes. The joint does not move, so that its torques
-/// cancel, and as long as the payload's torque is steady a change of tau_ext is a change of friction:
+/// A moving joint has d = sign(dq). A joint that stops keeps d at first. From then on friction balances every change of
+/// the other torques. The joint does not move, so that its torques cancel, and as long as the payload's torque is
+/// steady a change of tau_ext is a change of friction:
 ///
 ///     d = d_stop - (tau_ext - tau_ext at the stop) / coulomb     (docs/theory.md (T35))
 ///
-/// An arm whose payload has just been compensated shows why this matters: the controller draws it back against friction
-/// that points the other way, and the last direction of motion would be wrong by up to twice the friction. While the
-/// flange accelerates the payload's torque is not steady, and d stays as it is. Where a payload is known to come, or
-/// the torque changes by more than friction could, d goes back to what it was before and stays there for a while.
+/// This matters once a payload has just been compensated: the controller pulls the arm back, against friction in the
+/// other direction, and the last direction of motion would be wrong by up to twice the friction. While the flange
+/// accelerates, the payload's torque is not steady, and d stays as it is. When a payload is known to come, or the
+/// torque changes by more than friction can, d returns to its value before the change and keeps it for a while.
 template <typename Scalar, int Dofs>
 class FrictionDirection {
  public:
   using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
 
-  /// @param dt             control period [s], > 0; whoever owns this has checked it
+  /// @param dt             control period [s], > 0; the owner checks it
   /// @param rest_velocity  joints slower than this count as resting [rad/s]
   /// @param coulomb        friction to expect in tau_ext [N m]; a joint with 0 keeps its last direction
   FrictionDirection(double dt, Scalar rest_velocity, const Vector& coulomb) noexcept
@@ -36,11 +36,11 @@ class FrictionDirection {
   }
 
   /// Advances by one period. Finite arguments only.
-  /// @param tau             external torque, the observer's lag taken out [N m]
+  /// @param tau             external torque, with the observer's lag removed [N m]
   /// @param dq              joint velocity [rad/s]
   /// @param acceleration    of the flange, linear [m/s^2]
-  /// @param payload_steady  whether, for all that is known, the payload is not just coming or going
-  /// @return d; 0 for a joint of which nothing is known yet
+  /// @param payload_steady  false while the payload is known to come or go
+  /// @return d; 0 for a joint that has not moved yet
   const Vector& update(const Vector& tau, const Vector& dq, const Vector3<Scalar>& acceleration,
                        bool payload_steady = true) noexcept {
     if (!started_) level_ = stop_level_ = tau;
@@ -78,7 +78,7 @@ class FrictionDirection {
     return direction_;
   }
 
-  /// Nothing is known of any joint.
+  /// As constructed: no joint has moved.
   void reset() noexcept {
     started_ = false;
     hold_.setConstant(settling_);

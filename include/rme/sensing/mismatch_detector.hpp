@@ -1,5 +1,5 @@
 #pragma once
-/// Says when something was attached, added or removed (Algorithm 1 of the paper).
+/// Detects that something was attached, added or removed (Algorithm 1 of the paper).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,8 +23,8 @@ struct MismatchDetectorConfig {
   double check_average = 0.02;           ///< span of each of the means compared with it [s]
   std::array<double, 3> check_age = {0.05, 0.13, 0.21};  ///< age at which each of those spans ends [s]
   /// Span of the means whose difference is the rapid change [s]; 0 compares two single samples, as published. A single
-  /// sample jumps at once while the stabilisation means still see the old level: the published form then fires a few
-  /// milliseconds after a sharp step, and its collection window holds the transient. Means move together.
+  /// sample jumps at once, while the stabilisation means are still at the old level: so the published form fires a few
+  /// milliseconds after a sharp step, and its collection includes the transient. Means do not have this defect.
   double edge_average = 0.02;
 
   /// Algorithm 1 to the letter, for the norm of tau_ext.
@@ -42,9 +42,9 @@ struct MismatchDetectorConfig {
 ///
 ///     ||s(newest) - s(oldest)|| > activation    and    ||mean_i - mean(newest)|| <= stabilisation,  i = 1, 2, 3
 ///
-/// With one channel, s = ||tau_ext||_2, this is Algorithm 1. With the torque of every joint it also sees changes that
-/// leave the norm alone. Each mean is a difference of two running sums kept as 64-bit integers in steps of 2^-32 N m,
-/// so update() is O(Channels) whatever the spans, and no amount of running leaves a trace in the sums.
+/// With one channel, s = ||tau_ext||_2, this is Algorithm 1. With one channel per joint it also detects changes that do
+/// not change the norm. Each mean is a difference of two running sums, kept as 64-bit integers in steps of 2^-32 N m:
+/// so update() is O(Channels) for any span, and rounding errors do not accumulate.
 template <int Channels>
 class MismatchDetector {
  public:
@@ -56,6 +56,7 @@ class MismatchDetector {
   explicit MismatchDetector(double dt, const MismatchDetectorConfig& config = MismatchDetectorConfig());
 
   /// Advances by one period.
+  /// @param signal  s [N m], Channels x 1
   /// @return Ok; NonFiniteInput, also for an entry beyond kLargestPlausible: the detector is then as it was
   Status update(const Signal& signal) noexcept;
 

@@ -16,26 +16,25 @@ struct MomentumObserverConfig {
 
 /// Generalised-momentum observer (De Luca and Mattone, ICRA 2005; docs/theory.md (T47), its filter (T7)).
 ///
-/// With p = M dq the dynamics read dp/dt = tau + C^T dq - g + tau_ext, so what of dp/dt the model leaves over is
-/// tau_ext. Over the period that ends with sample k that remainder, on average, is
+/// With p = M dq the dynamics read dp/dt = tau + C^T dq - g + tau_ext, so tau_ext is the part of dp/dt that the model
+/// does not explain. Its average over the period that ends with sample k is u_k, and r_k the observer's output:
 ///
 ///     u_k = (p_k - p_k-1) / dt - tau_k - (s_k-1 + s_k) / 2,    s = C^T dq - g
 ///     r_k = r_k-1 + K dt (u_k - r_k-1),                        r_0 = 0
 ///
-/// and r is tau_ext seen through the first-order filter K / (s + K), by Euler's rule, as nearly all arms have it. An
-/// external torque that sets in at sample k therefore shows first at sample k + 1, with K dt of its size. Where the
-/// host measures its period h, u_k is the remainder over h, and the same filter advances by h / dt periods at once:
+/// So r is tau_ext after the first-order filter K / (s + K), discretised by Euler's rule as on nearly all arms. An
+/// external torque that sets in at sample k shows first at sample k + 1, with K dt of its size. Where the host measures
+/// its period h, u_k is the average over h, and the filter advances by h / dt periods at once:
 ///
 ///     r_k = r_k-1 + (1 - (1 - K dt)^(h / dt)) (u_k - r_k-1)
 ///
-/// so that r does not depend on how the time was divided into samples, and ticks that were lost are time that passed.
-/// Whoever compares r with a model x of tau_ext passes the model through the same filter, x averaged over the period
-/// that ends with sample k, or inverts the filter (SampleWindow).
+/// r then does not depend on how the time was divided into samples, and lost ticks count as time that passed. To
+/// compare r with a model x of tau_ext, pass x, averaged over the period that ends with sample k, through the same
+/// filter, or invert the filter (SampleWindow).
 ///
 /// Sign: r is what the environment exerts on the arm, tau_ext of M ddq + C dq + g = tau + tau_ext. Joint friction that
 /// the torque sensor does not see is part of it; an offset of the torque sensor enters with the opposite sign.
-/// Real time: update() is O(Dofs^2), with a period also an exponential for each joint; allocates nothing, throws
-/// nothing.
+/// Real time: update() is O(Dofs^2), and with a period one exponential per joint; it allocates and throws nothing.
 template <typename Scalar, int Dofs>
 class MomentumObserver {
  public:
@@ -53,9 +52,9 @@ class MomentumObserver {
   /// @param mass_matrix         M(q) now [kg m^2], of the arm without payload
   /// @param coriolis_transpose  C(q, dq)^T dq now, for C with dM/dt = C + C^T [N m]
   /// @param gravity             g(q) now, the term of the dynamics above [N m]
-  /// @param period              time since the sample before, where it is measured [s]; 0 is the nominal period dt
-  /// @return Ok, or NonFiniteInput, also for a period below 0 and for torques, momenta and periods beyond
-  ///         kLargestPlausible, which leaves the observer as it was
+  /// @param period              time since the last sample, where it is measured [s]; 0 is the nominal period dt
+  /// @return Ok; NonFiniteInput, also for a period below 0 and for torques, momenta and periods beyond
+  ///         kLargestPlausible: the observer is then as it was
   Status update(const Vector& tau, const Vector& dq, const JointMatrix<Scalar, Dofs>& mass_matrix,
                 const Vector& coriolis_transpose, const Vector& gravity, double period = 0) noexcept;
 

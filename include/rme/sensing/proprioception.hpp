@@ -1,5 +1,5 @@
 #pragma once
-/// What a host hands in each tick, and the check that it makes sense.
+/// The input of each tick, and the check that it is plausible.
 #include <cmath>
 #include <optional>
 #include <rme/core/flange_motion.hpp>
@@ -10,25 +10,25 @@
 
 namespace rme {
 
-/// One tick of what a torque-controlled arm reports anyway.
+/// What a torque-controlled arm reports in one tick.
 template <typename Scalar, int Dofs>
 struct Proprioception {
   JointVector<Scalar, Dofs> tau_ext = JointVector<Scalar, Dofs>::Zero();  ///< external joint torque [N m]
   Jacobian<Scalar, Dofs> jacobian = Jacobian<Scalar, Dofs>::Zero();       ///< J, 6 x Dofs
   Matrix3<Scalar> rotation = Matrix3<Scalar>::Identity();                 ///< R, end-effector axes to world axes
-  /// Joint velocity [rad/s]. Left at zero, the arm is taken to be at rest: no inertia force, no friction.
+  /// Joint velocity [rad/s]. Zero means an arm at rest: no inertia force, no friction of motion.
   JointVector<Scalar, Dofs> dq = JointVector<Scalar, Dofs>::Zero();
-  /// How the flange has moved over the period that ends now, from a host that knows better than the differences of
-  /// J dq, which are taken otherwise.
+  /// Motion of the flange over the period that ends now, from a host that knows it better than the differences of J dq;
+  /// those are used otherwise.
   std::optional<FlangeMotion<Scalar>> motion = std::nullopt;
-  /// Time since the sample before [s], where the host measures it: samples that got lost are time that passed. 0 is the
+  /// Time since the last sample [s], where the host measures it: lost samples then count as time that passed. 0 is the
   /// nominal period.
   double period = 0;
 };
 
 namespace detail {
 
-/// Whether R^T R is within 1e-3 of the identity and R no mirror.
+/// Whether R^T R is within 1e-3 of the identity and det R > 0.
 template <typename Scalar>
 bool is_rotation(const Matrix3<Scalar>& R) noexcept {
   using std::abs;
@@ -46,6 +46,7 @@ bool is_rotation(const Matrix3<Scalar>& R) noexcept {
 
 }  // namespace detail
 
+/// Whether a sample can be used.
 /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; NotARotation
 template <typename Scalar, int Dofs>
 Status check(const Proprioception<Scalar, Dofs>& sample) noexcept {

@@ -8,7 +8,7 @@
 namespace rme {
 
 /// Damped pseudo-wrench W = (J J^T + lambda I)^-1 J tau_ext, in world axes (docs/theory.md (T33); paper, Section 4.1).
-/// With damping it is small rather than wild near a singularity; a Jacobian of zeros gives zero.
+/// The damping keeps it bounded near a singularity; a Jacobian of zeros gives zero.
 /// @param jacobian     J, 6 x Dofs, world axes, linear rows first
 /// @param tau_ext      external joint torque [N m]
 /// @param damping      lambda [m^2 and rad^2 alike], > 0; the paper's value is 1e-2
@@ -30,8 +30,10 @@ Status pseudo_wrench(const Jacobian<Scalar, Dofs>& jacobian, const JointVector<S
   return Status::Ok;
 }
 
-/// The same wrench in end-effector axes, diag(R^T, R^T) W: the direction of its force is then that of gravity as the
-/// payload sees it, whatever the pose.
+/// The same wrench in end-effector axes, diag(R^T, R^T) W: the force of a payload at rest then points along gravity in
+/// these axes, in every pose.
+/// @param wrench    world axes
+/// @param rotation  R, end-effector axes to world axes
 template <typename Scalar>
 Wrench<Scalar> in_end_effector_axes(const Wrench<Scalar>& wrench, const Matrix3<Scalar>& rotation) noexcept {
   return {rotation.transpose() * wrench.force, rotation.transpose() * wrench.moment};

@@ -1,5 +1,5 @@
 #pragma once
-/// The recent past of an arm, in the form that inference needs.
+/// The last seconds of samples, in the form that inference needs.
 #include <cmath>
 #include <cstddef>
 #include <rme/core/flange_motion.hpp>
@@ -16,9 +16,9 @@ namespace rme {
 /// Settings of SampleWindow.
 struct SampleWindowConfig {
   double duration = 1.5;  ///< how far back samples are kept [s], > 0
-  /// Bandwidth of the first-order filter that tau_ext has gone through [rad/s]: the gain K of the arm's momentum
-  /// observer, 1e-6 <= K dt <= 1. 0 if the torque is unfiltered. For an exactly discretised filter (1 - exp(-K dt)) /
-  /// dt.
+  /// Bandwidth of the first-order filter that tau_ext comes from [rad/s]: the gain K of the arm's momentum observer,
+  /// 1e-6 <= K dt <= 1. 0 if the torque is unfiltered. If the filter is discretised exactly rather than by Euler's
+  /// rule, set (1 - exp(-K dt)) / dt.
   double observer_bandwidth = 50;
   double rest_velocity = 1e-3;  ///< joints slower than this count as resting [rad/s], > 0
 };
@@ -27,20 +27,20 @@ struct SampleWindowConfig {
 template <typename Scalar, int Dofs>
 struct Sample {
   Proprioception<Scalar, Dofs> raw;  ///< as it came in
-  /// External torque over the period that ends with this tick [N m], the observer's lag taken out.
+  /// External torque over the period that ends with this tick [N m], with the observer's lag removed.
   JointVector<Scalar, Dofs> tau = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> direction = JointVector<Scalar, Dofs>::Zero();  ///< of dry friction: FrictionDirection
   FlangeMotion<Scalar> motion;                                              ///< over the same period
 };
 
-/// Keeps the last seconds, and prepares each sample on its way in.
+/// Keeps the samples of the last seconds, and prepares each when it is pushed.
 ///
-/// The observer's lag: r_k = r_k-1 + K dt (tau_k - r_k-1) is inverted, tau_k = r_k-1 + (r_k - r_k-1) / (K dt). That is
-/// the same information as passing the payload's model through the filter (the two differ by an invertible map), but it
-/// needs no instant at which the filter started, and white sensor noise comes out white (docs/theory.md (T8)).
+/// The observer's filter r_k = r_k-1 + K dt (tau_k - r_k-1) is inverted: tau_k = r_k-1 + (r_k - r_k-1) / (K dt)
+/// (docs/theory.md (T8)). This keeps all information, needs no instant at which the filter started, and makes the noise
+/// white again that was white before the filter.
 ///
-/// Unless the host says how the flange moves, its acceleration is the backward difference of J dq: that belongs to the
-/// same period as tau_k.
+/// Unless the host passes the flange's motion, its acceleration is the backward difference of J dq, which belongs to
+/// the same period as tau_k.
 template <typename Scalar, int Dofs>
 class SampleWindow {
  public:
@@ -51,7 +51,7 @@ class SampleWindow {
   explicit SampleWindow(double dt, const SampleWindowConfig& config = SampleWindowConfig(),
                         const JointVector<Scalar, Dofs>& coulomb = JointVector<Scalar, Dofs>::Zero());
 
-  /// Appends one tick. The first after construction or reset() has no predecessor: it is taken as a state at rest.
+  /// Appends one tick. The first after construction or reset() has no predecessor, and counts as a state at rest.
   /// @param sample          one tick
   /// @param payload_steady  false while the payload is known to come or go (FrictionDirection)
   /// @return Ok; NonFiniteInput; NotARotation; unless Ok, the window is as it was
