@@ -1,17 +1,15 @@
 // Any bytes as a log: refused with the file's name and line, or a recording whose numbers are all there and finite.
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
+#include "fuzz/check.hpp"
 #include "io/log_reader.hpp"
 
 namespace {
 
-void check(bool good) {
-  if (!good) std::abort();
-}
+using fuzzing::check;
 
 template <typename Vector>
 void check_column(const std::vector<Vector>& column, std::size_t rows) {

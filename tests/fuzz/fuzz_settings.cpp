@@ -1,22 +1,19 @@
 // Any bytes as the settings of an estimator: refused by the name of a field, or settings that survive being written and
 // read, with which an estimator works.
 #include <cstdint>
-#include <cstdlib>
 #include <rme/estimator.hpp>
 #include <rme/estimator_json.hpp>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
-#include "run_network/json_file.hpp"
+#include "fuzz/check.hpp"
+#include "fuzz/json_input.hpp"
 
 namespace {
 
-constexpr double kPeriod = 0.01;
+using fuzzing::check;
 
-void check(bool good) {
-  if (!good) std::abort();
-}
+constexpr double kPeriod = 0.01;
 
 /// Two seconds, half-way through which a kilogram comes.
 void try_out(rme::Estimator<double, 6>& estimator) {
@@ -33,15 +30,10 @@ void try_out(rme::Estimator<double, 6>& estimator) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
-  nlohmann::json file;
+  const auto file = fuzzing::json_of(data, size);
+  if (!file) return 0;
   try {
-    file = rme::examples::parse_strictly(text);
-  } catch (const std::exception&) {
-    return 0;  // no JSON
-  }
-  try {
-    const auto config = rme::estimator_config_from_json<double, 6>(file);
+    const auto config = rme::estimator_config_from_json<double, 6>(*file);
     const nlohmann::json written = rme::estimator_config_to_json(config);
     check(rme::estimator_config_to_json(rme::estimator_config_from_json<double, 6>(written)) == written);
     rme::Estimator<double, 6> estimator(kPeriod, config);

@@ -2,18 +2,17 @@
 // any others, lost, repeated or frozen. Whatever happens, all that the estimator says is finite, the ramped torque
 // keeps its rate, and a refused tick leaves it as a twin that has not seen it.
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <rme/control/compensation.hpp>
 #include <rme/estimator.hpp>
 
+#include "fuzz/check.hpp"
+
 namespace {
 
-constexpr double kPeriod = 0.01;  // slow, so that few bytes make an event
+using fuzzing::check;
 
-void check(bool good) {
-  if (!good) std::abort();
-}
+constexpr double kPeriod = 0.01;  // slow, so that few bytes make an event
 
 /// The bytes, one after the other; zero when there are no more.
 class Bytes {

@@ -1,34 +1,25 @@
 // Any bytes as a weights file: refused with a message, or a network that survives being written, read and asked.
 #include <cstdint>
-#include <cstdlib>
 #include <rme/network/json.hpp>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "fuzz/check.hpp"
+#include "fuzz/json_input.hpp"
 #include "network/golden.hpp"
-#include "run_network/json_file.hpp"
 
 namespace {
 
+using fuzzing::check;
 using Network = rme::MismatchNetwork<float, golden::SmallArchitecture>;
-
-void check(bool good) {
-  if (!good) std::abort();
-}
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
-  nlohmann::json file;
+  const auto file = fuzzing::json_of(data, size);
+  if (!file) return 0;
   try {
-    file = rme::examples::parse_strictly(text);
-  } catch (const std::exception&) {
-    return 0;  // no JSON
-  }
-  try {
-    const auto model = rme::model_from_json<float, golden::SmallArchitecture>(file);
+    const auto model = rme::model_from_json<float, golden::SmallArchitecture>(*file);
     const nlohmann::json written = rme::model_to_json(model);
     check(rme::model_to_json(rme::model_from_json<float, golden::SmallArchitecture>(written)) == written);
     const Network network(model.weights);
