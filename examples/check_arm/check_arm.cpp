@@ -114,8 +114,9 @@ void print(const std::vector<JointFindings>& joints) {
     if (joints[j].coulomb_per_load > 0) growing += (growing.empty() ? "" : ", ") + std::to_string(j + 1);
   if (!growing.empty())
     std::printf(
-        "friction grows with what joint %s carries, as far as the model's gravity says: a payload brings more of it, "
-        "which the estimator does not know of\n",
+        "friction grows with what joint %s carries, by the model's gravity: a payload adds friction, which the "
+        "estimator "
+        "does not model\n",
         growing.c_str());
   std::printf("\n");
 }
@@ -137,11 +138,9 @@ bool judge_gravity(const std::vector<JointFindings>& joints, bool measured) {
     if (measured && joint.gravity_slope > 1.5)
       reason = "tau seems to have the opposite sign: --torque-sign reaction";
     else if (measured && joint.gravity_slope > kFollows)
-      reason =
-          "tau seems to be without gravity, or in amperes (--gains): a column tau_ext, with the gravity taken out, "
-          "would fit";
+      reason = "tau seems to be without gravity, which belongs in a column tau_ext, or in amperes (--gains)";
     else if (!measured)
-      reason = "gravity seems to be left in tau_ext: a column tau would fit";
+      reason = "tau_ext seems to include gravity, which belongs in a column tau";
     std::printf("joint %zu: the torque follows the model's gravity by %.2f (correlation %.2f): %s\n", j + 1,
                 joint.gravity_slope, joint.gravity_correlation, reason);
   }
@@ -149,7 +148,7 @@ bool judge_gravity(const std::vector<JointFindings>& joints, bool measured) {
     std::printf("sign, units and frames of the torque can be right: no joint follows the model's gravity\n");
   if (seen == 0)
     std::printf("gravity hardly changes in these logs: they do not show whether sign, units and frames are right\n");
-  if (!measured) std::printf("whether tau_ext has the right sign, a known weight on the arm will tell\n");
+  if (!measured) std::printf("the sign of tau_ext does not show here: hang a known weight on the arm\n");
   return good;
 }
 
@@ -200,7 +199,7 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
 template <int Dofs>
 double print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& settings) {
   double heaviest = 0;
-  std::printf("\nwith these settings, of these logs          mean mass [kg]  largest sure of [kg]  empty  health\n");
+  std::printf("\nestimates in these logs, these settings     mean mass [kg]  largest, 90%% sure [kg]  empty  health\n");
   for (std::size_t k = 0; k < checked.logs.size(); ++k) {
     ReplayOptions<Dofs> options;
     options.arm = settings.arm;
@@ -219,7 +218,7 @@ double print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& sett
           if (e.state.probability[rme::Hypothesis::Empty] < 0.1) largest = std::max(largest, payload.mean[0]);
         },
         [](const ReplayedPush&) {});
-    std::printf("  %-40.40s %15.3f %21.3f %5.0f%% %7.1f\n",
+    std::printf("  %-40.40s %15.3f %23.3f %5.0f%% %7.1f\n",
                 checked.logs[k].name.substr(checked.logs[k].name.rfind('/') + 1).c_str(), mass / time, largest,
                 100 * empty / time, health / time);
     heaviest = std::max(heaviest, largest);
@@ -268,7 +267,7 @@ void judge_links(const Checked<Dofs>& checked, const std::vector<JointFindings>&
       "\nother masses, centres and inertias of the links and rotors would leave %.0f %% of what is left, out of sample",
       100 * correction.left);
   if (correction.left > kWorthwhile) {
-    std::printf(": not worth it\n");
+    std::printf(": no correction\n");
     return;
   }
   std::printf(":\nlink                      mass [kg]: URDF, corrected    centre [m]: URDF, corrected\n");
@@ -324,13 +323,11 @@ int run(Arguments& arguments, const ArmRequest& request) {
     for (std::size_t k = 0; k < checked.logs.size(); ++k)
       fastest = std::max(fastest, fastest_step(checked.logs[k].t, checked.logs[k].tau_ext, checked.logs[k].dq));
     if (fastest > 0)
-      std::printf("a step in tau_ext takes 1/%.0f s: the observer's bandwidth is %.0f rad/s or more; assumed: %g\n",
+      std::printf("a step in tau_ext takes 1/%.0f s: the observer's bandwidth is at least %.0f rad/s; set: %g rad/s\n",
                   fastest, fastest, settings.config.observer_bandwidth);
     else
-      std::printf(
-          "no step in tau_ext while the arm rests, so nothing is known of the observer's bandwidth; assumed: %g "
-          "rad/s\n",
-          settings.config.observer_bandwidth);
+      std::printf("no step in tau_ext while the arm rests, so the observer's bandwidth does not show; set: %g rad/s\n",
+                  settings.config.observer_bandwidth);
   }
   std::vector<Visibility> seen;
   for (const double window : kWindows)
@@ -345,17 +342,19 @@ int run(Arguments& arguments, const ArmRequest& request) {
       std::printf("%10.1f   %32.3f   %12.3f  %10.3f   %30.0f\n", v.window, v.lightest(), v.mass, v.expected_mass,
                   1e3 * v.moment / mass);
   }
-  // Joints are independent to the tracker. Where what is left moves them all together, as the error of a link's mass
-  // does, it looks more like a payload than noise does.
+  // The tracker takes the joints' errors as independent. An error that is common to all of them, such as that of a
+  // link's mass, looks more like a payload.
   double surprise = 1;
   for (const Visibility& v : seen)
     if (v.windows > 0 && v.expected_mass > 0) surprise = std::max(surprise, v.mass / v.expected_mass);
   if (surprise > 1.2)
-    std::printf("an empty hand looks up to %.1f times as much like a payload as noise would\n", surprise);
+    std::printf("the empty hand's mass is uncertain by up to %.1f times as much as independent errors explain\n",
+                surprise);
   settings.config = settings_of<Dofs>(joints, settings);
   settings.config.validate(0.001);
   const double false_mass = print_beliefs<Dofs>(checked, settings);
-  if (false_mass > 0) std::printf("an empty hand was taken to hold up to %.3f kg: trust nothing lighter\n", false_mass);
+  if (false_mass > 0)
+    std::printf("an empty hand was taken to hold up to %.3f kg: trust no lighter payload\n", false_mass);
   if (folder) {
     write<Dofs>(*folder, checked, joints, seen, settings.config);
     std::printf("the settings are in %s/settings.json\n", folder->c_str());

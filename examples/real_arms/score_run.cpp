@@ -162,7 +162,7 @@ int run(Arguments& arguments, const ArmRequest& request) {
   if (header)
     std::printf(
         "| run | by | mean error, 5 s on [kg] | after 10 s | at the end | mass at the end | 90 %% interval holds "
-        "| largest sure of |\n|---|---|---:|---:|---:|---:|---:|---:|\n");
+        "| largest, 90 %% sure |\n|---|---|---:|---:|---:|---:|---:|---:|\n");
   const std::string title = name.value_or(file.substr(file.rfind('/') + 1));
   const Samples<Dofs> samples = samples_of(log, settings.arm, settings.config);
   const LogBlocks blocks = blocks_of(log, samples, settings.arm);

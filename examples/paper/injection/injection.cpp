@@ -6,8 +6,8 @@
 // an instant on, it is what the arm would have reported had it moved the same. Noise, friction and the errors of the
 // arm's model stay those of the real arm.
 //
-// Printed are, over random instants: what is believed where nothing was injected; payloads of a tenth to half of the
-// rated one that nobody announced, and the same announced; and what is believed of the log as it is. Windows overlap
+// Prints, over random instants: the estimates where nothing was injected; those of payloads of a tenth to half of the
+// rated one that nobody announced, and of the same announced; and the estimates in the log as it is. Windows overlap
 // where the log is short, so that their errors are not independent.
 #include <cmath>
 #include <cstdio>
@@ -181,8 +181,9 @@ void print_false_payloads(const Log<Dofs>& log, const Samples<Dofs>& samples, co
       },
       [](const ReplayedPush&) {});
   std::printf(
-      "\nthe log as it is, %.1f s: %d payloads that are not there, the heaviest that is surely believed %.3f kg; "
-      "%d changes taken for a push\n",
+      "\nthe log as it is, %.1f s: %d false payloads, the heaviest with 90 %% probability %.3f kg; %d changes taken "
+      "for a "
+      "push\n",
       log.t.back() - log.t.front(), attached, largest, summary.rejected);
 }
 

@@ -205,13 +205,15 @@ int run(Arguments& arguments) {
   std::printf("%s, %zu trial(s) of each payload, seed %llu. A cycle of %.0f mm radius in %.1f s.\n\n",
               setup.name().c_str(), trials, static_cast<unsigned long long>(setup.seed), 1e3 * kRadius, kTurn);
   std::printf(
-      "Distance to the cycle: mean over the turn; worst. Progress in the turn after, 1 if the phase keeps up.\n"
-      "Stopped: slower than %.0f mm/s in the end. Back: below %.0f mm from then to the end, for half a turn at least;\n"
-      "the longest of all trials, 0 if it never was above.\n\n",
+      "Distance to the cycle: mean over a turn, and worst. Progress in the turn after the attach: 1 if the phase keeps "
+      "up.\n"
+      "Stopped: slower than %.0f mm/s in the end. Back: from when on the distance stays below %.0f mm, for half a turn "
+      "at\n"
+      "least; the longest of all trials, 0 if it never was above.\n\n",
       1e3 * kAtRest, 1e3 * kTarget);
   cycle.print();
   std::printf(
-      "Estimates on the moving arm: the latest of all trials; mean absolute error at the end of the turn after.\n\n");
+      "Estimates on the moving arm: the latest time of all trials; mean absolute error one turn after the attach.\n\n");
   estimates.print();
   std::printf("Payloads that the tracker did not find: %d of %llu.\n\n", missed,
               static_cast<unsigned long long>(number));

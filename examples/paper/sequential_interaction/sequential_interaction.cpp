@@ -254,8 +254,9 @@ int run(Arguments& arguments) {
   }
 
   std::printf(
-      "%s, %zu run(s), seed %llu. Of the first run: the mass believed before the push comes, since when it was within\n"
-      "%.1f kg for good, and the position error %.1f s after each change began:\n\n",
+      "%s, %zu run(s), seed %llu. The first run: the mass that is estimated before the push, the time from which on "
+      "it\n"
+      "stays within %.1f kg, and the position error %.1f s after the beginning of each change:\n\n",
       setup.name().c_str(), runs, static_cast<unsigned long long>(setup.seed), kFound, kJudged);
   std::mt19937_64 any;
   print_run({outcomes[0].front(), outcomes[1].front(), outcomes[2].front()}, draw_script(any, setup.quick));
@@ -274,7 +275,7 @@ int run(Arguments& arguments) {
   number("position error after a change, worst [mm]", true, &Summary::worst);
   row("pushes taken for 0.1 kg and more, over 0.2 s", false,
       [](const Summary& s) { return text("%d of %d", s.mistakes, s.changes); });
-  number("most of a push that was taken for payload [g]", false, &Summary::lifted);
+  number("largest mass that a push was taken for [g]", false, &Summary::lifted);
   row("runs in which the arm sank to a joint limit", true,
       [](const Summary& s) { return text("%d of %d", s.sunk, s.runs); });
   number("least distance to a joint limit, nobody pushing [mrad]", true, &Summary::resting);
