@@ -1,5 +1,5 @@
-// 00_hello: an arm rests, and 1.1 kg come into its hand. What does rme say they are, and how sure is it?
-// A simulated Panda stands in for your robot; the five lines in the middle are what your control loop would hold.
+// 00_hello: 1.1 kg come into the hand of a resting arm. Which mass and centre of mass does rme estimate, and how sure
+// is it? A simulated Panda stands in for your robot; the five lines in the middle belong into your control loop.
 #include <cstdio>
 #include <rme/estimator.hpp>
 #include <synthetic_arm/panda.hpp>

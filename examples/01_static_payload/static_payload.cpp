@@ -1,9 +1,9 @@
-// 01_static_payload: an arm holds a pose, and after one second something unknown hangs on its flange. What does that do
-// to the arm, and what does rme make of it?
+// 01_static_payload: an arm holds a pose, and after one second an unknown payload hangs on its flange. How far does the
+// arm sag, and what does rme estimate?
 //
-// A simulated Panda holds its ready pose under a passive impedance law whose model knows nothing of the payload. The
-// same four seconds run twice: with rme's compensation added to the torque, and without. Printed are the estimate
-// beside the truth and how far the flange strayed; with --output DIR both runs are written as CSV (plot.py draws them).
+// A simulated Panda holds its ready pose under a passive impedance law whose model does not include the payload. The
+// same four seconds run twice: with rme's compensation added to the torque, and without. Prints the estimate beside the
+// truth and the position errors of the flange; with --output DIR both runs are written as CSV (plot.py draws them).
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -1,10 +1,10 @@
 // 02_constrained_interaction: somebody pushes an arm against a wall and up to a joint limit. What does the constrained
-// passive controller (CPIC) do about it, and what does the same controller do without its constraints?
+// passive controller (CPIC) do, and what does the same controller do without its constraints?
 //
 // A simulated Panda tracks a linear attractor in front of a wall. A scripted person pushes it into the wall at 1 s,
-// then up at 4 s, where the elbow runs out of travel. The same eight seconds run twice: with CPIC, and with the
-// unconstrained law cut to the torque limits. Printed are the distances to wall and limit and the energies; with
-// --output DIR both runs are written as CSV (plot.py draws them).
+// then up at 4 s, where the elbow reaches its limit. The same eight seconds run twice: with CPIC, and with the
+// unconstrained law cut to the torque limits. Prints the distances to wall and limit and the energies; with --output
+// DIR both runs are written as CSV (plot.py draws them).
 #include <cmath>
 #include <cpic_host/energy_books.hpp>
 #include <cpic_host/host.hpp>

@@ -1,17 +1,17 @@
 // 02_passivity: does the arm stay passive while the tracker runs, its estimates change, and objects come and go?
 //
 // A simulated Panda circles in the y-z plane under the constrained passive controller. Objects of 0.3 to 2.5 kg are
-// attached and dropped in mid-motion, unannounced, and somebody pushes. What carries the payload comes from
+// attached and dropped in mid-motion, unannounced, and somebody pushes. The compensation comes from
 //
 //   nobody     no compensation
-//   tracker    rme::Estimator, unaware of all this; with an energy tank too
+//   tracker    rme::Estimator, which is told of nothing; also with an energy tank
 //   liar       an estimate of 3 kg whenever the hand rises and of nothing when it sinks, though it is empty: the worst
-//              that an estimator can do; with an energy tank too
+//              that an estimator can do; also with an energy tank
 //
-// The books (energy_books.hpp): stored is kinetic energy and lambda_1 V, supplied is the work of the push, of the
-// wrench error (payload less compensation), of the cycle's turning, and of what CPIC adds for posture and constraints.
-// Passive means that stored minus supplied never rises. It is kept in float as well; with --hours over a working day.
-// What the passive torque puts in because it is held for a tick is shown apart, and so is what remains unaccounted for.
+// Energies (energy_books.hpp): stored is the kinetic energy plus lambda_1 V; supplied is the work of the push, of the
+// wrench error (payload minus compensation), of the cycle's turning, and of what CPIC adds for posture and constraints.
+// Passive means that stored minus supplied never rises. They are summed in float as well; with --hours over a working
+// day. The energy that the passive torque puts in because it is held for a tick is shown apart, and so is the rest.
 #include <array>
 #include <cmath>
 #include <cpic_host/energy_books.hpp>

@@ -1,9 +1,9 @@
-// rme_02_scenarios: does the constrained controller keep its promises when nobody picked the situations?
+// rme_02_scenarios: does the constrained controller keep its limits in random situations?
 //
 // Random start poses, targets, walls, payloads up to 2 kg and pushes up to 60 N on a simulated Panda, five seconds
 // each, seeded; half of the arms have friction and faulty sensors, half of the payloads are compensated (with 10 %
-// error). Printed: how far joint limits were crossed, whether the torque limits held, what became of pushes that no
-// admissible torque can hold, and the energy books. Exit code 0 if every promise was kept.
+// error). Prints how far joint limits were crossed, whether the torque limits held, what became of pushes that no
+// admissible torque can hold, and the energies. Exit code 0 if every limit was kept.
 #include <cmath>
 #include <cpic_host/energy_books.hpp>
 #include <cpic_host/host.hpp>

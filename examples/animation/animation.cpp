@@ -1,9 +1,9 @@
 // animation: an arm is handed a cup, somebody pours something into it, the arm carries it elsewhere and lets go. What
 // does an impedance-controlled arm do then, alone and with rme?
 //
-// The same ten seconds of a simulated Panda run three times: without the cup, which shows where the arm is to be, with
+// The same ten seconds of a simulated Panda run three times: without the cup, which shows where the arm should be, with
 // the cup and no compensation, and with the cup and rme's. With --output DIR all three are written as CSV, from which
-// rme_render_arm and animate.py make the moving picture of the README (`bash examples/animation/all`).
+// rme_render_arm and animate.py make the animation of the README (`bash examples/animation/all`).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

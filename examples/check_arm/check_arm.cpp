@@ -1,11 +1,11 @@
-// check_arm: what does this arm's torque look like with an empty hand, and what can be seen through it?
+// check_arm: what does this arm's torque look like with an empty hand, and how light a payload can be seen?
 //
-// Reads logs that replay_log reads, in which the hand is empty, and prints for each joint noise, offset, friction and
-// what else is left; whether sign, units and frames can be right; the lightest payload that shows within 0.2, 1 and
-// 5 s; and what the estimator, with the settings that follow, believes of these very logs. With --output it writes
-// those settings (settings.json, for replay_log --config and for Estimator), and what plot.py draws. The logs should
-// show what the arm does at work: each joint in both directions, slowly and fast, with stops. Exit codes: 0; 1 the logs
-// cannot be of this arm as described; 2 unusable arguments; 3 unusable log or URDF.
+// Reads logs in replay_log's format in which the hand is empty. Prints noise, offset, friction and what is left, joint
+// by joint; whether sign, units and frames can be right; the lightest payload that shows within 0.2, 1 and 5 s; and
+// what the estimator finds in the same logs with the settings that follow. With --output it writes those settings
+// (settings.json, for replay_log --config and for Estimator), and what plot.py draws. The logs should show what the arm
+// does at work: each joint in both directions, slowly and fast, with stops. Exit codes: 0; 1 the logs cannot be of this
+// arm as described; 2 unusable arguments; 3 unusable log or URDF.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,11 +1,11 @@
-// closed_loop: an arm whose compensation comes from the estimator, while the estimator looks at an arm that is
-// compensated. How far does the flange stray?
+// closed_loop: the estimator's compensation moves the arm, and the estimator sees the arm move. How large is the error
+// of the flange's position?
 //
-// A Panda follows a path under a Cartesian impedance of 200 N/m that knows nothing of payloads. Something is hung on
-// its flange at 1 s, carried along and turned from 4 s to 7 s, and dropped at 8 s, all unannounced. The same ten
-// seconds run without payload; what is printed is the distance of the flange from there, without compensation, with
-// rme's, and with that of somebody who knows the payload and its comings and goings. Then the same for drops of other
-// payloads, at rest and in the middle of the move.
+// A Panda follows a path under a Cartesian impedance of 200 N/m whose model does not include payloads. An object is
+// hung on its flange at 1 s, carried along and turned from 4 s to 7 s, and dropped at 8 s, all unannounced. Prints the
+// distance of the flange from a run without payload: without compensation, with rme's, and with that of a host that
+// knows the payload and when it comes and goes. Then the same for drops of other payloads, at rest and in the middle of
+// the move.
 #include <algorithm>
 #include <array>
 #include <cmath>

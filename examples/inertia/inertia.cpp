@@ -1,9 +1,9 @@
-// inertia: how much wrist motion does it take until a payload's inertia is known?
+// inertia: how much motion of the wrist does an estimate of a payload's inertia need?
 //
 // A Panda under an impedance law, with the estimator's compensation, holds a long box of 1.5 kg and turns it about all
-// three axes, to and fro; its torque sensors have typical noise and offsets. Printed are, for turns of several sizes
-// and speeds, how wrong the inertia about the centre of mass is after some seconds, as a share of it (Frobenius norm),
-// and how wrong the estimator says it may be; medians over the runs.
+// three axes, to and fro; its torque sensors have typical noise and offsets. Prints, for turns of several sizes and
+// speeds, the error of the inertia about the centre of mass after some seconds, relative to it (Frobenius norm), and
+// the error that the estimator expects; medians over the runs.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,10 +1,10 @@
-// score_run: what is believed of a run with a known load, beside what least squares say of it?
+// score_run: estimates on a run with a known load, beside those of least squares.
 //
-// Plays a log in which the hand holds a known mass from beginning to end, after one in which it is empty if --empty
-// names one, as if it were one life. Prints a row of a Markdown table for
+// Plays a log in which the hand holds a known mass from beginning to end, directly after the log of an empty hand that
+// --empty names, if any. Prints a row of a Markdown table for
 //
-//   rme                    what the estimator believes over time
-//   batch least squares    of the whole run at once, with hindsight: (m, m r), offsets and friction
+//   rme                    the estimator's estimates over time
+//   batch least squares    one estimate of (m, m r), offsets and friction from the whole run, made afterwards
 //   recursive, forgetting  (m, m r) over the last seconds, without what the empty log shows: the usual thing online
 //   KDL's wrench           of a log of measured torque: the force along gravity at the tip, which Orocos KDL's
 //                          ChainExternalWrenchEstimator finds, over gravity, averaged over the last seconds; of the

@@ -1,10 +1,10 @@
-// replay_log: what would rme have believed, and when? A recording of an arm, played through the estimator.
+// replay_log: what would rme have estimated, and when? Plays a recording of an arm through the estimator.
 //
 // Reads a CSV log (plain or gzip) of a Franka Panda, or of the arm that --urdf describes; columns by their names: t,
 // q1.. and tau_ext1.., or tau1.. (measured torque, gravity included, or motor current) with dq1..; dq1.. and the truth
-// m, rx, ry, rz if there. Prints a line for each event, as a table, or with --json each belief as one JSON object per
-// line. What was assumed, and what is odd about the time stamps, is said on stderr, or in objects of type "note". Exit
-// codes: 0; 2 unusable arguments; 3 unreadable log or URDF.
+// m, rx, ry, rz if there. Prints a line for each event, as a table, or with --json each estimate as one JSON object per
+// line. Assumptions and irregular time stamps are reported on stderr, or in objects of type "note". Exit codes: 0; 2
+// unusable arguments; 3 unreadable log or URDF.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -103,7 +103,7 @@ void print_row(const ReplayedEstimate& e) {
   std::printf("\n");
 }
 
-/// What the network says to the 200 ms that end at `t`: (m, r), or null if it has learned from none like them.
+/// The network's output (m, r) for the 200 ms that end at `t`, or null if they are too far from its training data.
 template <int Dofs>
 ordered_json guess_of(const NetworkFile& file, const Log<Dofs>& log, const Samples<Dofs>& samples, double t) {
   const double dt = samples.timing.period;

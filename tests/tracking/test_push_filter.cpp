@@ -99,6 +99,54 @@ TEST_CASE("PushFilter: a wrench that lasts is paid for once in a second", "[push
   CHECK(filter.update(arm.torque(wrench), arm.covariance, arm.jacobian, kBlock, 0.97) == Approx(first).margin(8));
 }
 
+TEST_CASE("PushFilter: a wrench goes on for a whole second, and is new in the block after", "[push]") {
+  // 32 blocks of 1/32 s make a second without rounding.
+  Pushed arm(35);
+  Filter<double> filter(kRated);
+  const auto wrench = arm.wrench();
+  const double first = filter.update(arm.torque(wrench), arm.covariance, arm.jacobian, 1.0 / 32, 0);
+  for (int k = 1; k <= 33; ++k) {
+    CAPTURE(k);
+    const double later = filter.update(arm.torque(wrench), arm.covariance, arm.jacobian, 1.0 / 32, 0.97);
+    if (k <= 32)
+      CHECK(later > first + 5);
+    else
+      CHECK(later == Approx(first).margin(8));
+  }
+}
+
+TEST_CASE("PushFilter: both stories count where the block cannot tell them apart", "[push]") {
+  // Noise so large that the wrench hardly shows: each story's weight is what the chain says.
+  for (const double p : {0.2, 0.6, 1.0}) {
+    CAPTURE(p);
+    Pushed arm(36);
+    Filter<double> filter(kRated);
+    const auto wrench = arm.wrench();
+    const Matrix Jt = arm.jacobian.transpose();
+    const Joints pushed = oracle::product(Jt, wrench);
+    (void)filter.update(pushed, 1e-9 * Covariance::Identity(), arm.jacobian, kBlock, 0);
+    const Covariance noise = 1e3 * oracle::congruence(Jt, any_wrench()) + 1e3 * Matrix::Identity(kDofs, kDofs);
+    const Matrix on = noise + 0.1 * 0.1 * oracle::congruence(Jt, any_wrench()),
+                 anew = noise + oracle::congruence(Jt, any_wrench());
+    const double expected = std::log(0.9 * p * std::exp(oracle::log_normal(Joints::Zero(), on)) +
+                                     (1 - 0.9 * p) * std::exp(oracle::log_normal(pushed, anew)));
+    CHECK(filter.update(pushed, noise, arm.jacobian, kBlock, p) == Approx(expected).margin(1e-6));
+  }
+}
+
+TEST_CASE("PushFilter: in float, torque that is known far better than a wrench is found all the same", "[push]") {
+  // Seven torques of a wrench of six numbers: J^T W J is singular, and rounding makes some of its pivots negative.
+  for (unsigned seed = 40; seed < 60; ++seed) {
+    CAPTURE(seed);
+    Pushed arm(seed);
+    Filter<float> filter(static_cast<float>(kRated));
+    const Joints y = oracle::product(Matrix(arm.jacobian.transpose()), arm.wrench());
+    const float found = filter.update(y.cast<float>(), 1e-12f * Filter<float>::Covariance::Identity(),
+                                      arm.jacobian.cast<float>(), static_cast<float>(kBlock), 0);
+    CHECK(std::isfinite(found));
+  }
+}
+
 TEST_CASE("PushFilter: in a longer block a hand changes more", "[push]") {
   for (const double factor : {1.0, 3.0}) {
     CAPTURE(factor);
@@ -143,6 +191,14 @@ TEST_CASE("PushFilter: what no wrench can be asked of is minus infinity, and is 
   const double none = -std::numeric_limits<double>::infinity();
   CHECK(filter.update(y, Covariance(-1e6 * Covariance::Identity()), arm.jacobian, kBlock, 0.97) == none);
   filter.forget();
+  CHECK(filter.update(y, arm.covariance, arm.jacobian, kBlock, 0.97) ==
+        fresh.update(y, arm.covariance, arm.jacobian, kBlock, 0));
+}
+
+TEST_CASE("PushFilter: before the first block there is no wrench that could go on", "[push]") {
+  Pushed arm(34);
+  Filter<double> filter(kRated), fresh(kRated);
+  const Joints y = arm.torque(arm.wrench());
   CHECK(filter.update(y, arm.covariance, arm.jacobian, kBlock, 0.97) ==
         fresh.update(y, arm.covariance, arm.jacobian, kBlock, 0));
 }

@@ -260,7 +260,9 @@ TEST_CASE("StarGaussian: mix has the moments of the mixture, pair by pair", "[st
       mixture.covariance += weights[i] * (covariance + oracle::square(d));
     }
     const std::array<const Star*, 4> parts = {&stars[0], &stars[1], &stars[2], &stars[3]};
-    CHECK(difference(dense(Star::mix(parts, weights)), mixture) < 1e-9);
+    const Star mixed = Star::mix(parts, weights);
+    CHECK(difference(dense(mixed), mixture) < 1e-9);
+    CHECK((mixed.nuisance_mean(1) - mixture.mean.segment<kJointNuisances>(first(1))).norm() < 1e-9);
 
     emptied = mixture;
     emptied.mean.head(kInertial).setZero();
@@ -292,7 +294,113 @@ TEST_CASE("StarGaussian: a mixture of one part is that part, and one with an emp
   CHECK((half.mean() - 0.5 * star.mean()).norm() < 1e-14);
 }
 
-TEST_CASE("StarGaussian: factorise gives a factor of singular matrices too, and of NaN none", "[star]") {
+TEST_CASE("StarGaussian: a mixture does not look at parts of weight 0, nor at slopes of an empty hand", "[star]") {
+  const unsigned seed = 518;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Star star = random_star(random);
+  Star spoilt = random_star(random);
+  spoilt.replace_payload(Star::Phi::Constant(nan), Star::PhiMatrix::Constant(nan));
+  for (int j = 0; j < kJoints; ++j) {
+    spoilt.joint(j).mean.setConstant(nan);
+    spoilt.joint(j).covariance.setConstant(nan);
+  }
+  const std::array<const Star*, 3> parts = {&spoilt, &star, &spoilt};
+  CHECK(difference(dense(Star::mix<3>(parts, {0, 1, 0})), dense(star)) < 1e-9);
+  const Star emptied = Star::mix_emptied<3>(parts, {0, 1, 0});
+  CHECK(emptied.finite());
+  CHECK(emptied.nuisance_mean(1).isApprox(star.nuisance_mean(1), 1e-12));
+  CHECK(emptied.nuisance_covariance(1).isApprox(star.nuisance_covariance(1), 1e-12));
+
+  Star empty = random_star(random);
+  empty.empty_payload();
+  const Star half = Star::mix<2>({&star, &empty}, {0.5, 0.5});
+  for (int j = 0; j < kJoints; ++j) empty.joint(j).slope.setConstant(nan);
+  CHECK(difference(dense(Star::mix<2>({&star, &empty}, {0.5, 0.5})), dense(half)) == 0);
+}
+
+TEST_CASE("StarGaussian: mix keeps the moments of payloads that vary in a few directions only", "[star]") {
+  // Three directions and the way between the two means: the payload's covariance is singular, and its rows are not 0.
+  const unsigned seed = 519;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::array<Star, 2> stars = {random_star(random), random_star(random)};
+  Matrix G = Matrix::Zero(kInertial, kInertial);
+  G.leftCols(3) = oracle::random_matrix(random, kInertial, 3);
+  for (Star& star : stars) star.replace_payload(random_vector(random, kInertial), G);
+  for (Star& star : stars)
+    for (int j = 0; j < kJoints; ++j) star.joint(j).slope = oracle::random_matrix(random, kInertial, kJointNuisances);
+  Dense mixture{0.5 * (dense(stars[0]).mean + dense(stars[1]).mean), Matrix::Zero(kAll, kAll)};
+  for (const Star& star : stars) {
+    const auto [mean, covariance] = dense(star);
+    mixture.covariance += 0.5 * (covariance + oracle::square(Vector(mean - mixture.mean)));
+  }
+  CHECK(difference(dense(Star::mix<2>({&stars[0], &stars[1]}, {0.5, 0.5})), mixture) < 1e-6);
+}
+
+TEST_CASE("StarGaussian: with an empty hand only the joints learn, until there may be a payload again", "[star]") {
+  const unsigned seed = 520;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const rme::JointObservation<double> o{1.5, random_vector(random, kInertial), random_vector(random, kJointNuisances),
+                                        0.3};
+  Star emptied = random_star(random), fresh;
+  emptied.empty_payload();
+  fresh.joint(0).covariance = emptied.joint(0).covariance;
+  for (Star* star : {&emptied, &fresh}) {
+    const auto before = star->nuisance_mean(0);
+    star->observe(0, star->predict(0, o));
+    CHECK(star->mean().isZero(0));
+    CHECK(star->joint(0).slope.isZero(0));
+    CHECK((star->nuisance_mean(0) - before).norm() > 1e-3);
+    // From here on it is as any star: the payload takes its share of what the torque shows.
+    const Matrix L = oracle::random_matrix(random, kInertial, kInertial);
+    star->diffuse(oracle::square(L));
+    const auto p = star->predict(0, o);
+    const double variance = o.h.dot(oracle::square(L) * o.h) + o.c.dot(star->joint(0).covariance * o.c) + o.noise;
+    CHECK(p.variance == Approx(variance).epsilon(1e-9));
+    star->observe(0, p);
+    const Vector expected = oracle::product(oracle::square(L), Vector(o.h)) * (p.innovation / variance);
+    CHECK((star->mean() - expected).norm() < 1e-9 * expected.norm());
+  }
+}
+
+TEST_CASE("StarGaussian: finite looks at every part", "[star]") {
+  const unsigned seed = 521;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const Star star = random_star(random);
+  CHECK(star.finite());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int part = 0; part < 5; ++part) {
+    CAPTURE(part);
+    Star spoilt = star;
+    Star::Phi mean = star.mean();
+    Star::PhiMatrix factor = Star::PhiMatrix::Identity();
+    if (part == 0) mean[3] = nan;
+    if (part == 1) factor(2, 1) = nan;
+    if (part < 2) spoilt.replace_payload(mean, factor);
+    if (part == 2) spoilt.joint(1).mean[4] = nan;
+    if (part == 3) spoilt.joint(1).slope(9, 0) = nan;
+    if (part == 4) spoilt.joint(1).covariance(2, 3) = nan;
+    CHECK_FALSE(spoilt.finite());
+  }
+}
+
+TEST_CASE("StarGaussian: factorise gives one direction where there is one, and none of rounding", "[star]") {
+  const unsigned seed = 522;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (int k = 0; k < 200; ++k) {
+    CAPTURE(k);
+    Star::PhiMatrix L;
+    REQUIRE(Star::factorise(oracle::square(oracle::random_matrix(random, kInertial, 1)), L));
+    CHECK((L.diagonal().array() > 0).count() == 1);
+  }
+}
+
+TEST_CASE("StarGaussian: factorise gives a factor a factor of singular matrices too, and of NaN none", "[star]") {
   const unsigned seed = 516;
   CAPTURE(seed);
   std::mt19937 random(seed);

@@ -3,11 +3,11 @@
 //
 // Simulates a Panda in random poses that holds still under an impedance law; its torque sensors have noise and offsets,
 // its joints friction, all drawn anew for each run. After one second an unknown payload hangs on its flange; from the
-// second second on the arm moves. Judged is what the tracker believes at rest, half a second after the attach, and
-// after three seconds of motion. Printed are for each parameter the errors, how often the 50, 80, 90 and 95 % intervals
-// hold the truth, and the rank histogram (simulation-based calibration: where the truth lies in the posterior, in
-// tenths; level if the posteriors are honest), for arms whose torque sensing sees joint friction and for arms where it
-// does not. The estimator is not told which it is.
+// second second on the arm moves. Judges the tracker's estimates at rest, half a second after the attach, and after
+// three seconds of motion. Prints for each parameter the errors, how often the 50, 80, 90 and 95 % intervals hold the
+// truth, and the rank histogram (simulation-based calibration: where the truth lies in the posterior, in tenths; level
+// if the posteriors are honest), for arms whose torque sensing sees joint friction and for arms where it does not. The
+// estimator is not told which it is.
 //
 // --pushes adds as many runs in which a hand pushes an empty arm, --quiet that many seconds in which nothing happens.
 //

@@ -1,4 +1,4 @@
-// posterior_families: what does one lose by a simpler posterior, or by the published solver?
+// posterior_families: how much accuracy does a simpler posterior cost, or the published solver?
 //
 // Simulates a Panda in random poses that holds still under an impedance law; its torque sensors have noise and offsets,
 // its joints friction, which the sensors of every other arm feel. After one second an unknown payload hangs on its
@@ -8,8 +8,8 @@
 // then with the published one (50 samples, white noise). The last line is the inference as it was published, but for
 // the prior: there is no network here, and the same fixed prior serves all.
 //
-// Printed are the mean absolute error of each parameter, how often its 90 % interval holds the truth, by how much the
-// ELBO falls short of the exact evidence, and the time of one call.
+// Prints the mean absolute error of each parameter, how often its 90 % interval holds the truth, by how much the ELBO
+// is below the exact evidence, and the time of one call.
 #include <algorithm>
 #include <array>
 #include <chrono>

@@ -11,7 +11,7 @@
 //    the centre of mass along gravity to the fixed prior, and once as it was published, with its guess for all. The
 //    tracker then runs over all samples again: it knows the guess before it sees what the guess was made from, so that
 //    no way of putting the network into the tracker could do more.
-// Printed are the mean square error of each parameter and how often its 90 % interval holds the truth.
+// Prints the mean square error of each parameter and how often its 90 % interval holds the truth.
 #include <algorithm>
 #include <array>
 #include <cmath>
