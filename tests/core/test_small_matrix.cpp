@@ -38,6 +38,7 @@ double largest_difference(std::mt19937_64& random) {
   const auto compare = [&](const auto& ours, const oracle::Matrix& theirs) {
     REQUIRE(ours.rows() == theirs.rows());
     REQUIRE(ours.cols() == theirs.cols());
+    REQUIRE(ours.allFinite());
     worst = std::max(worst, (same(ours) - theirs).cwiseAbs().maxCoeff());
   };
   compare(detail::product(A, B), oracle::product(same(A), same(B)));

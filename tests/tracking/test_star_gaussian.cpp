@@ -64,8 +64,10 @@ Dense dense(const Star& star) {
 }
 
 /// Largest difference of two Gaussians in what a star holds: phi and each pair (phi, beta_j), but not two joints'
-/// nuisances. Relative to the deviations.
+/// nuisances. Relative to the deviations; infinite if one of them is not finite.
 double difference(const Dense& a, const Dense& b) {
+  for (const Dense* d : {&a, &b})
+    if (!d->mean.allFinite() || !d->covariance.allFinite()) return std::numeric_limits<double>::infinity();
   const Vector scale = b.covariance.diagonal().cwiseMax(1e-300).cwiseSqrt();
   double worst = 0;
   for (int i = 0; i < kAll; ++i) {

@@ -58,7 +58,7 @@ inline bool hand_over(franka::Robot& robot, const franka::RobotState& state, Pay
   if (believed.empty() || believed.changing || believed.confidence < 0.95) return false;
   // The inertia is as good as the motion so far has shown it; a body has at least that of a ball of 4.5 cm radius.
   const Body found = Body::from_vector(believed.inertial.mean).made_consistent(0.02);
-  // libfranka wants flange axes, the inertia about the centre of mass, and columns first.
+  // libfranka takes flange axes, the inertia about the centre of mass, and columns first.
   const Eigen::Affine3d F_T_EE(Eigen::Map<const rme::Matrix4<double>>(state.F_T_EE.data()));
   const rme::Matrix3<double> R = F_T_EE.linear();
   const Body more =
