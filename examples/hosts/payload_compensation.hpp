@@ -15,7 +15,8 @@
 namespace hosts {
 
 // <snippet compensation>
-/// What a controller gains. Construct it before the loop: that may throw. Nothing else throws or allocates.
+/// Estimator and ramp, as a controller uses them. Construct it before the loop: that may throw. Nothing else throws or
+/// allocates.
 template <int Dofs>
 class PayloadCompensation {
  public:
@@ -29,9 +30,9 @@ class PayloadCompensation {
   }
   const rme::JointVector<double, Dofs>& torque() const noexcept { return ramp_.torque(); }  // to add to yours [N m]
   rme::Estimator<double, Dofs>& estimator() noexcept { return estimator_; }
-  /// Before a control loop whose torque begins at zero: what is held stays known, its torque comes at the ramp's rate.
+  /// Before a control loop whose torque starts at zero: the estimate stays, and its torque comes at the ramp's rate.
   void restart() noexcept { ramp_.reset(); }
-  /// An empty hand. The torque steps to zero: only while the arm is not commanded, or where another takes it over.
+  /// An empty hand. The torque steps to zero: only while the arm is not commanded, or where something else carries it.
   void reset() noexcept {
     estimator_.reset();
     ramp_.reset();
@@ -44,8 +45,8 @@ class PayloadCompensation {
 // </snippet>
 
 // <snippet settings>
-/// Settings from a file such as {"rated_payload": 12.5, "observer_bandwidth": 0, "torque_sign": "reaction"}: fields
-/// that are not there keep their defaults, unknown ones are refused by name.
+/// Settings from a file such as {"rated_payload": 12.5, "observer_bandwidth": 0, "torque_sign": "reaction"}. Missing
+/// fields keep their defaults; unknown ones are refused by name.
 template <int Dofs>
 rme::EstimatorConfig<double, Dofs> read_settings(const std::string& file) {
   std::ifstream in(file);

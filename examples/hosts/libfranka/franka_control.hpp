@@ -19,9 +19,9 @@ inline rme::EstimatorConfig<double, 7> franka_config() {
   return config;
 }
 
-/// Your controller's torques with the payload's on top, until it finishes the motion.
-/// @param nominal  callable (const franka::RobotState&) -> franka::Torques, without gravity, as libfranka has it
-/// @return Ok: `nominal` has finished. Anything else: what was wrong with a sample, which ended the motion
+/// Commands your controller's torques plus the compensation, until your controller finishes the motion.
+/// @param nominal  callable (const franka::RobotState&) -> franka::Torques, without gravity, which libfranka adds
+/// @return Ok: `nominal` has finished the motion. Otherwise, what was wrong with the sample that ended it
 template <typename Nominal>
 rme::Status control(franka::Robot& robot, const franka::Model& model, PayloadCompensation<7>& payload,
                     Nominal&& nominal) {
@@ -48,10 +48,10 @@ rme::Status control(franka::Robot& robot, const franka::Model& model, PayloadCom
 // </snippet>
 
 // <snippet hand_over>
-/// From now on the robot carries the payload, beside the load that it was told of already, and rme begins anew. Only
-/// between two control loops: within one, setLoad is refused.
+/// From now on the robot carries the payload, in addition to the load that it was told of before, and for rme the hand
+/// is empty. Only between two control loops: within one, setLoad is refused.
 /// @param state  read after the last loop
-/// @return whether it was handed over: not before it is sure, and settled
+/// @return whether it was handed over: not before the estimate is sure and the payload has settled
 inline bool hand_over(franka::Robot& robot, const franka::RobotState& state, PayloadCompensation<7>& payload) {
   using Body = rme::InertialParameters<double>;
   const rme::EstimatorState<double>& believed = payload.estimator().state();

@@ -22,8 +22,8 @@ inline std::string listed(const std::vector<std::string>& names) {
   return all;
 }
 
-/// The arm alone: all other joints of a robot's model, such as a gripper's fingers, locked where they are at zero. What
-/// they carry stays in the model.
+/// The arm alone: all other joints of a robot's model, such as a gripper's fingers, are locked at zero. The masses that
+/// they carry stay in the model.
 /// @param joints  names of the arm's joints, from the base
 inline pinocchio::Model arm_of(const pinocchio::Model& robot, const std::vector<std::string>& joints) {
   const std::vector<std::string> known(robot.names.begin() + 1, robot.names.end());  // 0 is the universe
@@ -50,9 +50,9 @@ class PinocchioSensing {
   /// @param end_effector  name of a frame
   /// @param period        nominal, of the control loop [s]
   /// @param config        the estimator's: its bandwidth is the observer's gain, its sign that of the arm's torque
-  /// @param gains         of each joint, its torque for what the arm reports, where that is motor current [N m/A]
-  /// @param rotors        of each joint, its rotor's inertia, gear included, which no URDF has [kg m^2]: the
-  ///                      --rotor-inertia that check_arm names, where the torque accelerates the rotors as well
+  /// @param gains         torque per ampere of each joint, where the arm reports motor current [N m/A]
+  /// @param rotors        inertia of each joint's rotor, gear included, where the torque accelerates the rotors as well
+  ///                      [kg m^2]. No URDF has it; check_arm prints it as --rotor-inertia
   /// @throws std::invalid_argument saying what was expected and what came
   PinocchioSensing(const pinocchio::Model& arm, const std::string& end_effector, double period,
                    const rme::EstimatorConfig<double, Dofs>& config = {}, const Vector& gains = Vector::Ones(),
@@ -70,8 +70,8 @@ class PinocchioSensing {
 
   void reset() noexcept { observer_.reset(); }
 
-  /// @param tau     joint torque over the period that ends now, gravity and compensation included [N m]; or current
-  /// @param period  measured [s], or 0 for the nominal one; ticks that were lost are time that passed
+  /// @param tau     joint torque over the period that ends now, gravity and compensation included [N m]; or current [A]
+  /// @param period  measured [s], or 0 for the nominal one; lost ticks count as time that passed
   /// @param sample  as it was unless the status is Ok
   rme::Status update(const Vector& q, const Vector& dq, const Vector& tau, double period,
                      rme::Proprioception<double, Dofs>& sample) {
@@ -92,10 +92,10 @@ class PinocchioSensing {
     sample.period = period;
     return rme::Status::Ok;
   }
-  /// Of the last update(), for a controller that has no model of its own [N m].
+  /// Gravity torque at the last update(), for a controller that has no model of its own [N m].
   Vector gravity() const { return data_.g; }
 
-  /// The model carries this from now on, beside what it carries already: see "Into the robot's own load".
+  /// Adds a body to the model, in addition to those that it has: see "Into the robot's own load".
   void carry(const rme::InertialParameters<double>& body) {
     const auto& frame = model_.frames[end_effector_];
     model_.appendBodyToJoint(frame.parentJoint,  // Pinocchio 2: frame.parent

@@ -20,7 +20,7 @@ namespace hosts {
 /// An effort controller whose nominal_torque() is what your update() computes today, gravity included. Parameters:
 /// `joints`, names of the arm's Dofs joints from the base; `end_effector`, name of a frame; `rated_payload` [kg], or
 /// `settings`, a file that check_arm wrote; `gains` [N m/A], where the state interface `effort` is a motor current, and
-/// `rotor_inertia` [kg m^2], where check_arm names one.
+/// `rotor_inertia` [kg m^2], where check_arm prints one.
 template <int Dofs>
 class PayloadController : public controller_interface::ControllerInterface {
  public:
