@@ -49,7 +49,7 @@ class Estimator {
   /// The current estimate, and what is going on.
   const EstimatorState<Scalar>& state() const noexcept { return state_; }
 
-  /// tau_comp = -c J^T w(payload) [N m], Dofs x 1, with c = m^2 / (m^2 + std^2) (docs/theory.md (T31)): zero for an
+  /// tau_comp = -c J^T w(payload) [N m], Dofs x 1, with c = m^2 / (m^2 + std^2) (docs/theory.md (T32)): zero for an
   /// empty hand. If the payload's weight is suddenly missing in tau_ext, the torque is cut at once, before it is known
   /// whether the object was dropped or lifted. For a pose that is not plausible (plausible.hpp), that of the last good
   /// sample is used.
@@ -163,7 +163,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   return Status::Ok;
 }
 
-/// Writes the tracker's belief into the state that the host reads (docs/theory.md (T30)).
+/// Writes the tracker's belief into the state that the host reads (docs/theory.md (T31)).
 template <typename Scalar, int Dofs>
 void Estimator<Scalar, Dofs>::publish() noexcept {
   const TrackerBelief<Scalar>& belief = tracker_.belief();

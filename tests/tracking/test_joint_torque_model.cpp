@@ -443,7 +443,7 @@ TEST_CASE(
 
 TEST_CASE("JointTorqueModel: noise of dq turns the payload as well, and of a few samples it is that of two ends",
           "[joint_torque]") {
-  // (T26): 2.5 min(2, 12 / n) / T^2 times the mean over the axes of J var(dq) J^T is the variance of the flange's
+  // (T27): 2.5 min(2, 12 / n) / T^2 times the mean over the axes of J var(dq) J^T is the variance of the flange's
   // acceleration. A kilogram turns it into J^T a and, at the root of 0.01 m^2 from it, into moments: of its weight on
   // that arm, and of the angular acceleration.
   Block block;

@@ -48,7 +48,7 @@ class HypothesisBank {
   /// The filter of h after the last block.
   const Star& star(Hypothesis h) const noexcept { return stars_[index(h)]; }
   /// e^T S^-1 e per joint of the likeliest hypothesis that is neither an exchange nor a push, at the last block: 1 on
-  /// average if the arm does what the model says (docs/theory.md (T27)).
+  /// average if the arm does what the model says (docs/theory.md (T28)).
   Scalar innovation_squared() const noexcept { return innovation_squared_; }
   /// What has been learned of the joints' noise and residual.
   const SensorNoise<Scalar, Dofs>& noise() const noexcept { return model_.noise(); }
@@ -82,6 +82,7 @@ class HypothesisBank {
   Scalar update(Star& star) noexcept;
   Scalar push_likelihood(const Star& star) noexcept;
   void evaluate_exchange(Star& star) noexcept;
+  void forget(Star& star) const noexcept;
   InertialMatrix<Scalar> filling(const Star& star) const noexcept;
   /// log P(m is a mass that an arm can tell from nothing, and can hold) of a star.
   Scalar log_plausible(const Star& star) const noexcept;
@@ -226,6 +227,7 @@ void HypothesisBank<Scalar, Dofs>::take_in(Hypothesis h) noexcept {
       star.diffuse(filling(star));
       [[fallthrough]];
     case Hypothesis::Steady:
+      forget(star);
       likelihood_[h] = update(star);
       likelihood_[h] += log_plausible(star);
       break;
@@ -236,19 +238,6 @@ void HypothesisBank<Scalar, Dofs>::take_in(Hypothesis h) noexcept {
       likelihood_[h] = push_likelihood(star);
       break;
   }
-}
-
-/// Follows what comes after an exchange. If its first tenth of a second was badly explained, by an observer that is not
-/// what it is said to be, say, nuisances have taken on what was not theirs: the payload is then found again, from what
-/// was known of the arm before.
-template <typename Scalar, int Dofs>
-void HypothesisBank<Scalar, Dofs>::follow_exchange() noexcept {
-  const bool held = probability_[Hypothesis::Steady] + probability_[Hypothesis::Filling] > Scalar(0.5);
-  if (exchange_anew_ && in_question_[Hypothesis::Exchanged] && held)
-    stars_[index(Hypothesis::Steady)] = stars_[index(Hypothesis::Filling)] = stars_[index(Hypothesis::Exchanged)];
-  since_exchange_ += model_.block().duration;
-  worst_ = std::max(worst_, innovation_squared_);
-  if (probability_[Hypothesis::Exchanged] > Scalar(0.5)) since_exchange_ = worst_ = Scalar(0);
 }
 
 template <typename Scalar, int Dofs>

@@ -18,13 +18,15 @@ namespace rme {
 /// block, be it an offset, friction, or a residual, cancels in it. A joint that has become much noisier would make each
 /// block look like an event, and nothing would be learned: watch() tells noise from events by its zigzag.
 ///
-/// Residual, one scale for all joints: if it is right, innovations are white. If they are correlated with those before,
-/// the residual is larger than assumed, and smaller if they are anticorrelated (Mehra, IEEE Trans. Automatic Control
-/// 1970). A residual that is smoother than the model's would never leave them white, however large: where it may be
-/// large, innovations that are smaller than their variance says count against it. Only blocks in which the arm moves
-/// count. What is held takes on part of a residual, which then seems smaller than it is: that counts a third. The
-/// longer an arm has moved the more slowly its residual is learned: what is poured in meanwhile is not the model's
-/// fault. A rough model's is another one in each motion.
+/// Residual, one scale per joint: if it is right, innovations are white. If they are correlated with those before, the
+/// residual is larger than assumed, and smaller if they are anticorrelated (Mehra, IEEE Trans. Automatic Control 1970).
+/// Only blocks in which the arm moves count. What is held takes on part of a residual, which then seems smaller than it
+/// is: that counts less. The longer an arm has moved the more slowly its residual is learned: what is poured in
+/// meanwhile is not the model's fault.
+///
+/// A rough model's residual has one scale for all joints, and is another one in each motion. It is smoother than the
+/// tracker's, so that innovations would never be white, however large it is: there, innovations that are smaller than
+/// their variance says count as well.
 template <typename Scalar, int Dofs>
 class SensorNoise {
  public:
@@ -35,7 +37,7 @@ class SensorNoise {
       : rough_(sensing == Sensing::RoughModel),
         share_(arm.residual),
         range_(kResidual[static_cast<std::size_t>(sensing)]),
-        residual_(static_cast<Scalar>(range_.first)) {
+        residual_(Vector::Constant(static_cast<Scalar>(range_.first))) {
     for (int j = 0; j < Dofs; ++j) {
       const Scalar least = Scalar(kLeastNoise) * arm.residual[j];
       variance_[j] = arm.noise[j] * arm.noise[j];
@@ -48,8 +50,21 @@ class SensorNoise {
   Scalar variance(int j) const noexcept { return variance_[j]; }
   /// Variance of the model's residual [(N m)^2].
   Scalar residual_variance(int j) const noexcept {
-    const Scalar s = residual_ * share_[j];
+    const Scalar s = residual_[j] * share_[j];
     return s * s;
+  }
+
+  /// By how much the variance of what a payload has shown grows with the arm's motion, relative to itself [1/rad]
+  /// (docs/theory.md (T26)): a residual is the same again whenever the arm comes back to a pose, and does not average
+  /// out.
+  Scalar forgetting() const noexcept {
+    if (rough_) return Scalar(0);  // it forgets its residual in each motion
+    Scalar sum = Scalar(0);
+    for (int j = 0; j < Dofs; ++j) {
+      const Scalar size = residual_[j] / Scalar(kUsualResidual);
+      sum += std::min(Scalar(1), size * size);
+    }
+    return Scalar(kForgetting) * sum / Scalar(Dofs);
   }
 
   /// Notices that a joint has become noisier, whatever else happens: white torque turns back block after block, which
@@ -79,13 +94,14 @@ class SensorNoise {
   /// @param regime      which joints rest in it
   void learn(bool empty, const Vector& innovation, const Vector& variance, const TorqueBlock<Scalar, Dofs>& block,
              const FrictionRegime<Scalar, Dofs>& regime) noexcept {
-    using std::exp;
     using std::sqrt;
     if (empty != was_empty_) interrupt();
     was_empty_ = empty;
     const Scalar way = block.velocity.norm() * block.duration;
     const Scalar weight = std::min(Scalar(1), way / Scalar(kFullWay));
-    Scalar evidence = Scalar(0);
+    const Scalar keep = static_cast<Scalar>(rough_ ? kRoughKeep : kKeep);
+    const Scalar add = sqrt(Scalar(1) - keep * keep);  // white innovations have an average of variance 1
+    Vector evidence;
     for (int j = 0; j < Dofs; ++j) {
       const bool steady = regime.joint(j).steady();
       const auto k = static_cast<std::size_t>(j);
@@ -99,21 +115,34 @@ class SensorNoise {
       last_[j] = innovation[j];
       usable_[k] = steady;
       const Scalar white = std::max(Scalar(-3), std::min(Scalar(3), innovation[j] / sqrt(variance[j])));
-      evidence += white * average_[j];
+      evidence[j] = white * average_[j];
       if (rough_)
-        evidence += Scalar(kShare) * std::max(Scalar(0), 1 - variance_[j] / variance[j]) * (white * white - 1);
-      average_[j] = Scalar(kKeep) * average_[j] + Scalar(kAdd) * white;
+        evidence[j] += Scalar(kShare) * std::max(Scalar(0), 1 - variance_[j] / variance[j]) * (white * white - 1);
+      average_[j] = keep * average_[j] + add * white;
     }
-    evidence = std::max(Scalar(-6), std::min(Scalar(6), evidence * weight));
-    if (!empty && !rough_ && evidence < 0) evidence *= Scalar(kHeld);
-    if (!rough_) motion_ = std::min(motion_ + weight, Scalar(kMotion));
-    residual_ *= exp(Scalar(0.5 * kStep) * evidence * std::min(Scalar(1), Scalar(kNew) / motion_));
-    residual_ = std::max(static_cast<Scalar>(range_.least), std::min(static_cast<Scalar>(range_.largest), residual_));
+    learn_residual(empty, evidence, weight);
   }
   /// Something happens: the next block has no predecessor.
   void interrupt() noexcept { usable_.fill(false); }
 
  private:
+  /// @param evidence  for a larger residual, of each joint
+  /// @param weight    that the block has, 0 to 1
+  void learn_residual(bool empty, const Vector& evidence, Scalar weight) noexcept {
+    using std::exp;
+    if (!rough_) motion_ = std::min(motion_ + weight, Scalar(kMotion));
+    const Scalar pace = rough_ ? Scalar(1) : std::min(Scalar(1), Scalar(kNew) / motion_);
+    const Scalar all = evidence.sum();
+    for (int j = 0; j < Dofs; ++j) {
+      Scalar e = (rough_ ? all : Scalar(kOwn) * evidence[j]) * weight;
+      e = std::max(Scalar(-6), std::min(Scalar(6), e)) * pace;
+      if (!empty && !rough_ && e < 0) e *= Scalar(kHeld);
+      residual_[j] *= exp(Scalar(0.5 * kStep) * e);
+      residual_[j] =
+          std::max(static_cast<Scalar>(range_.least), std::min(static_cast<Scalar>(range_.largest), residual_[j]));
+    }
+  }
+
   // [N m] of the arm's scale; a sensor that shows less is not switched on, and will be noisier.
   static constexpr double kLeastNoise = 0.008;
   /// Of the arm's scale [N m]: where learning begins, and its bounds.
@@ -125,19 +154,22 @@ class SensorNoise {
   // arm that could take on the size of friction would be one more friction model, and a bad one; where friction is
   // learned, it takes its share.
   static constexpr Range kResidual[kSensings] = {{0.02, 0.005, 0.1}, {0.005, 0.005, 0.1}, {0.3, 0.1, 4}};
-  static constexpr double kPriorBlocks = 5;  // that the prior counts for
-  static constexpr double kWatch = 25;       // blocks that watch() looks back on
-  static constexpr double kNoisier = 4;      // times the variance, which no hour of events and white noise shows
-  static constexpr double kMost = 9;         // times the variance that one block may show: one event is not enough
-  static constexpr double kMemory = 500;     // blocks: 10 s
-  static constexpr double kFullWay = 0.002;  // [rad] in a block: 0.1 rad/s
-  static constexpr double kHeld = 0.35;      // of evidence for a smaller residual, while something is held
-  static constexpr double kStep = 0.05;      // of log variance per unit of correlation, at first
-  static constexpr double kNew = 100;        // blocks of motion for which that is so
-  static constexpr double kMotion = 1000;    // blocks of motion that are remembered: 20 s
-  static constexpr double kKeep = 0.9;       // of a block: the average looks 0.2 s back
-  static constexpr double kShare = 0.5;      // of the size of innovations, in the evidence
-  static constexpr double kAdd = 0.4359;     // sqrt(1 - kKeep^2): white innovations have an average of variance 1
+  static constexpr double kPriorBlocks = 5;       // that the prior counts for
+  static constexpr double kWatch = 25;            // blocks that watch() looks back on
+  static constexpr double kNoisier = 4;           // times the variance, which no hour of events and white noise shows
+  static constexpr double kMost = 9;              // times the variance that one block may show: one event is not enough
+  static constexpr double kMemory = 500;          // blocks: 10 s
+  static constexpr double kFullWay = 0.002;       // [rad] in a block: 0.1 rad/s
+  static constexpr double kOwn = 4;               // joints, as so many a joint's own evidence counts for its residual
+  static constexpr double kHeld = 0.6;            // of evidence for a smaller residual, while something is held
+  static constexpr double kStep = 0.05;           // of log variance per unit of correlation, at first
+  static constexpr double kNew = 100;             // blocks of motion for which that is so
+  static constexpr double kMotion = 1000;         // blocks of motion that are remembered: 20 s
+  static constexpr double kKeep = 0.96;           // of a block: the average looks half a second back
+  static constexpr double kRoughKeep = 0.9;       // 0.2 s
+  static constexpr double kShare = 0.5;           // of the size of innovations, in the evidence
+  static constexpr double kForgetting = 0.15;     // [1/rad], where the residual is what is usual or more
+  static constexpr double kUsualResidual = 0.02;  // [N m] of the arm's scale
 
   bool rough_;
   Vector share_, variance_, floor_, blocks_;
@@ -145,7 +177,7 @@ class SensorNoise {
   Vector torque_ = Vector::Zero(), slope_ = Vector::Zero(), bend_ = Vector::Zero(), zigzag_ = Vector::Zero();
   std::array<bool, static_cast<std::size_t>(Dofs)> usable_{};
   Range range_;
-  Scalar residual_;
+  Vector residual_;            // [N m] of the arm's scale
   Scalar motion_ = Scalar(1);  // blocks
   bool was_empty_ = true;
 };

@@ -163,6 +163,21 @@ class StarGaussian {
     empty_ = true;
   }
 
+  /// What is known of phi becomes less certain: deviations of each entry times `by`, >= 1, until they are those of
+  /// `bound`, a factor of the covariance that they do not exceed.
+  void widen(Scalar by, const PhiMatrix& bound) noexcept {
+    using std::sqrt;
+    for (int i = 0; i < kInertial; ++i) {
+      Scalar variance = Scalar(0), largest = Scalar(0);
+      for (int k = 0; k < kInertial; ++k) {
+        variance += factor_(i, k) * factor_(i, k);
+        largest += bound(i, k) * bound(i, k);
+      }
+      if (!(variance > 0) || !(variance < largest)) continue;
+      const Scalar scale = std::min(by, sqrt(largest / variance));
+      for (int k = 0; k < kInertial; ++k) factor_(i, k) *= scale;
+    }
+  }
   /// phi += N(0, Q).
   void diffuse(const PhiMatrix& Q) noexcept {
     const PhiMatrix before = covariance();

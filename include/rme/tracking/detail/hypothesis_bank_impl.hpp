@@ -121,6 +121,18 @@ Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept 
   return push_.update(e, S, model_.block().jacobian, model_.block().duration, goes_on_);
 }
 
+/// What the payload's torque has shown some way ago counts less, where the arm's model is off (docs/theory.md (T26)).
+/// What motion does not show returns to the prior, and no further.
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::forget(Star& star) const noexcept {
+  using std::exp;
+  const TorqueBlock<Scalar, Dofs>& block = model_.block();
+  const Scalar grown = model_.noise().forgetting() * block.velocity.norm() * block.duration;
+  if (!(grown > Scalar(1e-6))) return;
+  const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, star.mean()[0]));
+  star.widen(exp(Scalar(0.5) * grown), payload_.factor(mass * mass));
+}
+
 /// Covariance of what is poured in within a block: any mass, with its centre about where the payload's is.
 template <typename Scalar, int Dofs>
 InertialMatrix<Scalar> HypothesisBank<Scalar, Dofs>::filling(const Star& star) const noexcept {
@@ -163,6 +175,19 @@ Scalar HypothesisBank<Scalar, Dofs>::log_plausible(const Star& star) const noexc
   const auto below = [&](Scalar m) { return Scalar(0.5) * erfc((star.mean()[0] - m) / (deviation * sqrt(Scalar(2)))); };
   constexpr double kLightest = 0.007, kHeaviest = 1.2;  // of the rated payload: 20 g on a Panda
   return log(std::max(Scalar(1e-30), below(Scalar(kHeaviest) * rated_) - below(Scalar(kLightest) * rated_)));
+}
+
+/// Follows what comes after an exchange. If its first tenth of a second was badly explained, by an observer that is not
+/// what it is said to be, say, nuisances have taken on what was not theirs: the payload is then found again, from what
+/// was known of the arm before.
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::follow_exchange() noexcept {
+  const bool held = probability_[Hypothesis::Steady] + probability_[Hypothesis::Filling] > Scalar(0.5);
+  if (exchange_anew_ && in_question_[Hypothesis::Exchanged] && held)
+    stars_[index(Hypothesis::Steady)] = stars_[index(Hypothesis::Filling)] = stars_[index(Hypothesis::Exchanged)];
+  since_exchange_ += model_.block().duration;
+  worst_ = std::max(worst_, innovation_squared_);
+  if (probability_[Hypothesis::Exchanged] > Scalar(0.5)) since_exchange_ = worst_ = Scalar(0);
 }
 
 }  // namespace rme
