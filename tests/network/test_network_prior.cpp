@@ -132,6 +132,34 @@ TEST_CASE("NetworkPrior: where the network cannot know, the fixed prior stands",
   }
 }
 
+TEST_CASE("NetworkPrior: where a pseudo-wrench cannot be had there is no guess, and the fixed prior stands",
+          "[network_prior]") {
+  // Six equal rows of 2^19: J J^T is 2^38 everywhere, exactly, beside which the damping is lost.
+  const auto network = std::make_unique<Network>(*golden::random_weights<double>());
+  rme::NetworkPriorConfig<double> config;
+  config.damping = 1e-9;
+  Window window(0.001);
+  rme::Proprioception<double, 7> tick;
+  tick.jacobian.col(0).setConstant(524288);
+  for (int k = 0; k < 200; ++k) REQUIRE(window.push(tick) == rme::Status::Ok);
+  const Prior prior(*network, 0.001, config);
+  Eigen::Vector4d guess(1, 2, 3, 4);
+  CHECK_FALSE(prior.guess(window, 200, guess));
+  CHECK(guess == Eigen::Vector4d(1, 2, 3, 4));
+  CHECK(prior(window, 200).mean == config.unknown.gaussian.mean);
+}
+
+TEST_CASE("NetworkPrior: the defaults are those of docs/weights.md", "[network_prior]") {
+  const rme::NetworkPriorConfig<double> config;
+  CHECK(config.standard_deviation == Eigen::Vector4d(0.5, 0.02, 0.02, 0.02));
+  CHECK(config.unknown.gaussian.mean == Eigen::Vector4d(0.8, 0, 0, 0.1));
+  CHECK(config.unknown.gaussian.standard_deviation().isApprox(Eigen::Vector4d(0.6, 0.05, 0.05, 0.06), 1e-12));
+  CHECK(config.farthest == 4);
+  CHECK(config.gravity == Eigen::Vector3d(0, 0, -9.81));
+  CHECK(config.spacing == 0.01);
+  CHECK(config.damping == 0.01);
+}
+
 TEST_CASE("NetworkPrior: another control rate sees the same instants", "[network_prior]") {
   const auto network = std::make_unique<Network>(*golden::random_weights<double>());
   rme::NetworkPriorConfig<double> config;
@@ -152,6 +180,15 @@ TEST_CASE("NetworkPrior: a setting out of range is refused by name", "[network_p
   config = {};
   config.standard_deviation[2] = 0;
   CHECK_THROWS_WITH(Prior(*network, 0.001, config), contains("NetworkPriorConfig::standard_deviation"));
+  config = {};
+  config.farthest = 0;
+  CHECK_THROWS_WITH(Prior(*network, 0.001, config), contains("NetworkPriorConfig::farthest"));
+  config = {};
+  config.damping = 0;
+  CHECK_THROWS_WITH(Prior(*network, 0.001, config), contains("NetworkPriorConfig::damping"));
+  config = {};
+  config.unknown.gaussian.covariance(1, 1) = 0;
+  CHECK_THROWS_WITH(Prior(*network, 0.001, config), contains("NetworkPriorConfig::unknown"));
 }
 
 }  // namespace
