@@ -743,6 +743,39 @@ TEST_CASE("HypothesisBank: what nothing is seen of settles at the variance of th
           Approx(bank.noise().residual_variance(j)).epsilon(0.3));
 }
 
+TEST_CASE("HypothesisBank: motion that shows nothing of the payload makes it less certain, and no less than the prior",
+          "[bank]") {
+  const unsigned seed = 693;
+  CAPTURE(seed);
+  Arm<7> arm(seed);
+  arm.pose();
+  auto bank = bank_of(arm);
+  live(bank, arm, 100, kEmptyHand);
+  live(bank, arm, 200, box(1.5, {0.02, 0.01, 0.1}));
+  REQUIRE(bank.probability(Hypothesis::Steady) > 0.99);
+  const auto turn = [&](double speed) {
+    auto block = arm.block(kEmptyHand);
+    block.regressor.setZero();
+    block.velocity.setConstant(speed);
+    block.velocities.setConstant(speed);
+    take_in(bank, block, arm.regime);
+    return bank.star(Hypothesis::Steady).mass_variance();
+  };
+  for (const double speed : {5.0, 2.0, 0.0}) {
+    CAPTURE(speed);
+    (void)turn(5);  // other hypotheses, which mix in, are settled
+    const double before = turn(0), forgetting = bank.noise().forgetting();
+    REQUIRE(forgetting > 0.1);
+    CHECK(turn(speed) / before == Approx(std::exp(forgetting * speed * std::sqrt(7.0) * 0.02)).epsilon(0.01));
+  }
+  // Five hundred radians: without a bound, e^79 times as much.
+  const auto prior = rme::PayloadPrior<double>::of(kRated);
+  double variance = 0;
+  for (int k = 0; k < 2000; ++k) variance = turn(5);
+  CHECK(variance < 1.2 * prior.mass_std * prior.mass_std);
+  CHECK(variance > 0.3 * prior.mass_std * prior.mass_std);
+}
+
 TEST_CASE("HypothesisBank: noise of dq is noise of the payload's inertia force, and no event", "[bank]") {
   // Of 2 mrad/s, at both ends of a block: 0.14 rad/s^2 in each joint.
   for (unsigned seed = 671; seed < 676; ++seed) {

@@ -337,7 +337,7 @@ TEST_CASE("SensorNoise: correlated innovations raise the residual, anticorrelate
     // Bounded on both sides.
     for (int k = 0; k < 20'000; ++k) {
       const Joints w = white(Joints::Ones());
-      e = 0.9 * e + 0.44 * w;
+      e = 0.99 * e + 0.14 * w;
       up.learn(true, e, Joints::Ones(), block, regime);
       down.learn(true, 0.7 * (w - last), Joints::Ones(), block, regime);
       last = w;
