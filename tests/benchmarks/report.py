@@ -169,6 +169,8 @@ def comparison(benchmarks, seconds):
         add(name, f"{median:.2f}", " µs", "≤ 1 µs", median <= 1)
     dearest = max((times[0], name) for name, times in ticks.items() if name.startswith("dearest kind of tick"))
     add(f"{dearest[1]}, median", f"{dearest[0]:.1f}", " µs", "≤ 15 µs", dearest[0] <= 15)
+    cpic = benchmarks.median("bench_cpic", "Cpic::update, all")
+    add("CPIC with 14 joint limits and the torque limits, median", f"{cpic:.2f}", " µs", "≤ 1.1 µs", cpic <= 1.1)
     eigen, rme = seconds["`#include <Eigen/Dense>`"], seconds["`#include <rme/rme.hpp>`"]
     add("compile time of `<rme/rme.hpp>` over `<Eigen/Dense>`", f"{rme / eigen:.2f}", "", "≤ 1.5", rme <= 1.5 * eigen)
     estimator = seconds["one `Estimator<double, 7>`"]
