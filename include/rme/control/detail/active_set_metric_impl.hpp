@@ -41,10 +41,12 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::look(Active& a) noexcept {
   if (a.row >= MaxRows) {
     a.image = a.sign * B_->col(a.row - MaxRows);
   } else {
-    Image image = a.normal[0] * B_->col(0);  // in registers, where a.image could be a part of B for all that is known
+    // In registers, where a.image could be a part of B for all that is known; two sums, which do not wait for each
+    // other.
+    Image even = a.normal[0] * B_->col(0), odd = Image::Zero();
     RME_UNROLL
-    for (int i = 1; i < Size; ++i) image += a.normal[i] * B_->col(i);
-    a.image = image;
+    for (int i = 1; i < Size; ++i) (i % 2 == 0 ? even : odd) += a.normal[i] * B_->col(i);
+    a.image = even + odd;
   }
   a.curvature = a.image.squaredNorm();
 }
