@@ -28,8 +28,8 @@ namespace rme {
 ///
 /// Ok says that every row and the box hold, the active ones included: each is looked at in the x that is returned, and
 /// none is missed by more than kTolerance (|a| (|x| + |x_u|) + |bound|), a soft one by more than that beyond its slack.
-/// Where rows contradict each other only in the rounding of a stretched metric, x is the optimum for P + epsilon tr(P)
-/// I.
+/// Where rows contradict each other only in the rounding of a stretched metric, x is the optimum for
+/// P + epsilon tr(P) I.
 ///
 /// The box x_min..x_max always holds. When hard rows contradict each other or the box, all of them become soft, with
 /// the compliance sqrt(machine epsilon) a_i P a_i^T: the least sum of squared violations, each measured by the cost of

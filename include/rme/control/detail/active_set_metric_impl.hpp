@@ -41,7 +41,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::look(Active& a) noexcept {
   if (a.row >= MaxRows) {
     a.image = a.sign * B_->col(a.row - MaxRows);
   } else {
-    // In registers, where a.image could be a part of B for all that is known; two sums, which do not wait for each
+    // In registers, where a.image could be a part of B for all that is known; in two sums, which do not wait for each
     // other.
     Image even = a.normal[0] * B_->col(0), odd = Image::Zero();
     RME_UNROLL
