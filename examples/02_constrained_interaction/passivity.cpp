@@ -28,9 +28,11 @@ namespace {
 using namespace rme::examples;
 using Vector = Host::Vector;
 
-constexpr double kEnd = 20;            // of a scenario [s]
-constexpr double kShare = 1e-3;        // of the energy turned over, by which books may be wrong
-constexpr double kLie = 3;             // [kg]
+constexpr double kEnd = 20;                           // of a scenario [s]
+constexpr double kShare = 1e-3;                       // of the energy turned over, by which books may be wrong
+constexpr double kTurn = 2 * 3.14159265358979323846;  // [rad]
+constexpr double kRounds = 0.5;                       // of those that the cycle asks for: fewer is an arm that is stuck
+constexpr double kLie = 3;                            // [kg]
 constexpr double kRefill = 5;          // into the tank of the long run [W]: objects are taken here and left there
 constexpr double kLargestMass = 2.5;   // of an object [kg]
 constexpr double kHardestPush = 30;    // [N]
@@ -42,13 +44,14 @@ constexpr const char* kUsage =
 Keeps the energy books of an arm that is compensated for what a tracker believes, while objects come and go.
 
   --count N         how many scenarios of 20 s (default 100); the worst follow, with shorter periods
-  --hours H         then one run of so many hours, with a tank, its books in float as well (default 0.05)
+  --hours H         then one run of so many hours about the arm's usual pose, with a tank, its books in float as well
+                    (default 0.05)
   --seed N          of the first scenario (default 1)
   --help            this text
 
 Exit codes: 0 stored minus supplied energy never rose by more than 0.001 of what was turned over, no more than that is
-missing in the books, what holding the torque puts in goes with the period, the tank's bound held; 1 not so; 2 unusable
-arguments.
+missing in the books, what holding the torque puts in goes with the period, the tank's bound held, the long run was one
+of motion; 1 not so; 2 unusable arguments.
 )";
 
 enum class Source { Nobody, Tracker, TrackerAndTank, Liar, LiarAndTank };
@@ -69,6 +72,9 @@ struct Outcome {
   double let_through = 1;   // least share that the tank let through
   double in_float = 0;      // difference of the books in float, over what was turned over
   std::uint64_t worst = 0;  // the scenario with the largest rise: its seed
+  double rounds = 0;        // of the hand about the cycle's centre
+  long ticks = 0;
+  long limited = 0;  // of those, with a joint held at a limit
   long exchanges = 0;
   long refused = 0;  // ticks with another status than Ok or Infeasible
 
@@ -87,39 +93,54 @@ struct Outcome {
     beyond = std::max(beyond, o.beyond);
     let_through = std::min(let_through, o.let_through);
     in_float = std::max(in_float, o.in_float);
+    rounds += o.rounds;
+    ticks += o.ticks;
+    limited += o.limited;
     exchanges += o.exchanges;
     refused += o.refused;
   }
 };
 
-/// A pose in which the heaviest object can be held, and a cycle through it.
-Vector draw(const ArmModel<7>& model, std::mt19937_64& random, HostConfig& host) {
+struct Scenario {
+  Source source;
+  double period = 1e-3;  // [s]
+  double end = kEnd;     // [s]
+  bool faults = false;   // an arm with friction and faulty sensors
+  double refill = 0;     // of the tank [W]
+  bool ready = false;    // starts in the arm's usual pose, well inside its limits, not in one drawn
+};
+
+/// A pose in which the heaviest object can be held.
+Vector draw_pose(const ArmModel<7>& model, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform;
   const RigidBody heaviest = box(kLargestMass, {0, 0, 0.1}, {0.08, 0.08, 0.1});
-  Vector start;
+  Vector pose;
   do {
     for (int j = 0; j < 7; ++j)
-      start[j] = model.q_min[j] + (0.2 + 0.6 * uniform(random)) * (model.q_max[j] - model.q_min[j]);
-  } while (model.dynamics(start, Vector::Zero(), heaviest).gravity.cwiseAbs().cwiseQuotient(model.tau_max).maxCoeff() >
+      pose[j] = model.q_min[j] + (0.2 + 0.6 * uniform(random)) * (model.q_max[j] - model.q_min[j]);
+  } while (model.dynamics(pose, Vector::Zero(), heaviest).gravity.cwiseAbs().cwiseQuotient(model.tau_max).maxCoeff() >
            kMostOfTorque);
-  host = HostConfig::hold(model, start);
+  return pose;
+}
+
+/// A cycle through this pose.
+HostConfig draw_host(const ArmModel<7>& model, const Vector& start, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform;
+  HostConfig host = HostConfig::hold(model, start);
   host.cycle_radius = 0.06 + 0.09 * uniform(random);
   host.target.y() += *host.cycle_radius;
   host.margin = 0;
   host.sampled = true;
-  return start;
+  return host;
 }
 
-/// @param end     of the scenario [s]
-/// @param faults  an arm with friction and faulty sensors
-/// @param refill  of the tank [W]
-Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, Source source, double period, double end, bool faults,
-                 double refill = 0) {
+Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, const Scenario& scenario) {
+  const auto& [source, period, end, faults, refill, ready] = scenario;
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform;
   std::normal_distribution<double> normal;
-  HostConfig config;
-  const Vector start = draw(model, random, config);
+  const Vector start = ready ? model.ready : draw_pose(model, random);
+  HostConfig config = draw_host(model, start, random);
   config.period = period;
   if (source == Source::TrackerAndTank || source == Source::LiarAndTank) {
     config.tank.emplace();
@@ -139,8 +160,9 @@ Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, Source source, do
   Push push;
   int handle = -1;
   double next_exchange = 1, next_push = 2, lowest = 0, put_in = 0, by_power = 0, potential = 0, span = 0;
-  const long ticks = std::lround(end / period);
-  for (long k = 0; k < ticks; ++k) {
+  Eigen::Vector3d from_centre = Eigen::Vector3d::Zero();  // in the cycle's plane, a tick ago
+  out.ticks = std::lround(end / period);
+  for (long k = 0; k < out.ticks; ++k) {
     const double t = static_cast<double>(k) * period;
     if (t >= next_exchange && !lies) {
       const RigidBody before = arm.payload();
@@ -177,6 +199,12 @@ Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, Source source, do
     }
     const Vector torque = host.update(arm, compensation);
     if (host.status() != rme::Status::Ok && host.status() != rme::Status::Infeasible) ++out.refused;
+
+    Eigen::Vector3d arm_of_cycle = at.position - config.target;
+    arm_of_cycle.x() = 0;
+    out.rounds += std::atan2(from_centre.cross(arm_of_cycle).x(), from_centre.dot(arm_of_cycle)) / kTurn;
+    from_centre = arm_of_cycle;
+    out.limited += host.cpic().active_count() > 0 ? 1 : 0;
 
     books.update(arm, host, push.at(t));
     (void)small_books.update_with_work(static_cast<float>(books.stored()), static_cast<float>(books.work()));
@@ -236,11 +264,11 @@ bool print_by_period(const ArmModel<7>& model, const std::array<Outcome, 5>& out
       "|---------------------------:|\n");
   double first = 0, last = 0, missing = 0;
   for (const double period : {1e-3, 5e-4, 2.5e-4}) {
-    const Outcome tracker = simulate(model, worst[0], Source::Tracker, period, kEnd, faulty(worst[0]));
-    const Outcome liar = simulate(model, worst[1], Source::Liar, period, kEnd, faulty(worst[1]));
+    const Outcome tracker = simulate(model, worst[0], {Source::Tracker, period, kEnd, faulty(worst[0])});
+    const Outcome liar = simulate(model, worst[1], {Source::Liar, period, kEnd, faulty(worst[1])});
     Outcome few;
     for (int i = 0; i < std::max(count / 10, 1); ++i)
-      few.merge(simulate(model, seed + static_cast<std::uint64_t>(i), Source::Tracker, period, kEnd, false));
+      few.merge(simulate(model, seed + static_cast<std::uint64_t>(i), {Source::Tracker, period}));
     std::printf("| %.2f ms | %27.2g J | %10.2g J | %31.1e | %26.1e |\n", 1e3 * period, tracker.rise, liar.rise,
                 few.held, few.imbalance);
     (period == 1e-3 ? first : last) = few.held;
@@ -272,7 +300,7 @@ int run(Arguments& arguments) {
     Outcome& all = outcomes[static_cast<std::size_t>(source)];
     for (int i = 0; i < count; ++i) {
       const std::uint64_t scenario = seed + static_cast<std::uint64_t>(i);
-      all.merge(simulate(model, scenario, source, 1e-3, kEnd, faulty(scenario)));
+      all.merge(simulate(model, scenario, {source, 1e-3, kEnd, faulty(scenario)}));
     }
     const bool tank = source == Source::TrackerAndTank || source == Source::LiarAndTank;
     std::printf("| %-20s | %9ld | %9.0f J | %8.0f J | %10.2g J | %20.1e | %9.2f J | %23.1f J | ",
@@ -288,19 +316,23 @@ int run(Arguments& arguments) {
 
   kept = print_by_period(model, outcomes, seed, count) && kept;
 
-  const Outcome day = simulate(model, seed, Source::TrackerAndTank, 1e-3, 3600 * hours, false, kRefill);
+  const Outcome day = simulate(model, seed, {Source::TrackerAndTank, 1e-3, 3600 * hours, false, kRefill, true});
+  const double asked = 3600 * hours * rme::LimitCycleConfig<double>().angular_speed / kTurn;
   std::printf(
-      "\n%.2f hours with the tracker and a tank, %ld exchanges: %.0f J turned over, %.0f J dissipated; of what was "
-      "turned over\n"
+      "\n%.2f hours with the tracker and a tank, %ld exchanges, %.0f rounds of the hand (%.0f asked for), in %.1f %% "
+      "of "
+      "the time\nat a limit: %.0f J turned over, %.0f J dissipated; of what was turned over\n"
       "  %.1e  largest rise of stored minus supplied\n  %.1e  put in by holding the passive torque\n"
       "  %.1e  missing in the books; %.1e more in books kept in float\n"
       "The compensation put in %.1f J at most from any tick on, less a refill of %.1f W: %.1f J within the tank's "
       "bound.\n"
       "By being held for a tick it put in %.2g J. The tank let through a share of %.2f of it or more.\n",
-      hours, day.exchanges, day.turned_over, day.dissipated, day.share, day.held, day.imbalance, day.in_float, day.span,
-      kRefill, -day.beyond, day.by_holding, day.let_through);
+      hours, day.exchanges, day.rounds, asked,
+      100.0 * static_cast<double>(day.limited) / static_cast<double>(day.ticks), day.turned_over, day.dissipated,
+      day.share, day.held, day.imbalance, day.in_float, day.span, kRefill, -day.beyond, day.by_holding,
+      day.let_through);
   kept = kept && day.share <= kShare && day.imbalance <= kShare && day.in_float <= kShare && day.refused == 0 &&
-         day.beyond <= 0;
+         day.beyond <= 0 && day.rounds >= kRounds * asked;
   return kept ? 0 : 1;
 }
 

@@ -213,6 +213,9 @@ def comparison(benchmarks, seconds):
         if tick and estimate:
             add(f"published estimate with its early stop, {blas}, over the dearest tick of the 200 after the attach",
                 f"{estimate / tick:.0f}", "", "≥ 100", estimate >= 100 * tick, benchmarks.commands[run])
+    cpic = benchmarks.median("bench_cpic", "Cpic::update, all")
+    add("CPIC with 14 joint limits and the torque limits, median", f"{cpic:.2f}", " µs", "≤ 1.1 µs", cpic <= 1.1,
+        benchmarks.commands["bench_cpic"])
     eigen, rme = seconds["`#include <Eigen/Dense>`"], seconds["`#include <rme/rme.hpp>`"]
     add("compile time of `<rme/rme.hpp>` over `<Eigen/Dense>`", f"{rme / eigen:.2f}", "", "≤ 1.5", rme <= 1.5 * eigen,
         "`g++`, as below")

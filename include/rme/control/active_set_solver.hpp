@@ -21,14 +21,15 @@ namespace rme {
 ///
 /// from the inverse P = Q^-1 = B^T B alone (docs/theory_control.md (C8, C9)). With signed active normals n_k the
 /// optimum is x = x_u + P sum_k lambda_k n_k, where S lambda = d, S_kl = n_k^T P n_l + delta_kl c_k and c_k = 1 / (2
-/// w_k), 0 if hard: one row gives the paper's closed form (26), (27), several the method of [Goldfarb & Idnani 1983]. S
-/// is never formed: an orthogonal factorisation of the B n_k costs the root of its condition only, which is what makes
-/// float sufficient. No feasible row costs more than its check. The next solve starts from this one's active set.
+/// w_k), 0 if hard: one row gives the paper's closed form (26), (27), several the method of [Goldfarb & Idnani 1983].
+/// Where S is too stretched for its Cholesky factor, an orthogonal factorisation of the B n_k takes its place, whose
+/// error grows with the root of S's condition only: that is what makes float sufficient. No feasible row costs more
+/// than its check. The next solve starts from this one's active set.
 ///
 /// Ok says that every row and the box hold, the active ones included: each is looked at in the x that is returned, and
 /// none is missed by more than kTolerance (|a| (|x| + |x_u|) + |bound|), a soft one by more than that beyond its slack.
-/// Where rows contradict each other only in the rounding of a stretched metric, x is the optimum for P + epsilon tr(P)
-/// I.
+/// Where rows contradict each other only in the rounding of a stretched metric, x is the optimum for
+/// P + epsilon tr(P) I.
 ///
 /// The box x_min..x_max always holds. When hard rows contradict each other or the box, all of them become soft, with
 /// the compliance sqrt(machine epsilon) a_i P a_i^T: the least sum of squared violations, each measured by the cost of
@@ -73,6 +74,7 @@ class ActiveSetSolver {
   /// Forgets the active set, so that the next solve starts cold, and the solution.
   void reset() noexcept {
     count_ = iterations_ = 0;
+    needs_root_ = false;
     multiplier_.fill(0);
     slack_.fill(0);
     x_.setZero();
@@ -102,6 +104,7 @@ class ActiveSetSolver {
   using Factor = detail::ActiveFactor<Scalar, Size, kMaxActive>;
   using Column = typename Factor::Column;
   using Image = typename Factor::Image;
+  using Split = typename Factor::Split;
 
   // A constraint n x >= b held as an equality (less its slack): a row, or for row >= MaxRows a side of the box.
   struct Active {
@@ -124,17 +127,19 @@ class ActiveSetSolver {
   void take_root() noexcept;
   void shift(const Image& z) noexcept;
   void push(int row, Scalar sign) noexcept;
-  void store(const Active& a, const typename Factor::Split& split) noexcept;
+  void split(const Active& a, int count, Split& s) const noexcept;
+  void split_safely(Active& a, Split& s) noexcept;
+  void store(const Active& a, const Split& s) noexcept;
   void drop(int k) noexcept;
   void refactor(int from) noexcept;
   void solve_multipliers(Column& w) noexcept;
   void restore() noexcept;
   void move(const Column& w) noexcept;
   void refine() noexcept;
-  bool enter(const Active& a) noexcept;
+  bool enter(Active& a) noexcept;
   Scalar noise(const Active& a, const Column& r) const noexcept;
   bool most_violated(int& row, Scalar& sign) const noexcept;
-  bool active_hold(Scalar tolerance) const noexcept;
+  bool active_hold(Scalar tolerance, bool exactly) const noexcept;
   void stretch_less() noexcept;
   void relax() noexcept;
   void remake() noexcept;
@@ -143,7 +148,7 @@ class ActiveSetSolver {
   // The problem being solved; valid inside solve() only.
   const Matrix* P_ = nullptr;
   const Root* given_ = nullptr;  // null if P is
-  const Root* B_ = nullptr;      // null until two constraints need it
+  const Root* B_ = nullptr;      // null as long as P itself will do
   const Vector* x_u_ = nullptr;
   const Rows* rows_ = nullptr;
   const Vector* x_min_ = nullptr;
@@ -158,6 +163,7 @@ class ActiveSetSolver {
   Scalar origin_ = 0, reach_ = 0;  // |x_u|, |x_u| + |x|
   int count_ = 0;
   int iterations_ = 0;
+  bool needs_root_ = false;  // whether P itself would not do
   bool relaxed_ = false;
   bool stretched_less_ = false;
   bool exact_ = true;  // whether the active rows held to kRounding when x_ was computed

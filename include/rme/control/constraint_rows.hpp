@@ -11,8 +11,7 @@ namespace rme {
 /// row, since the two limits of a joint share their gradient and never hold together.
 ///
 /// A row with a = 0 constrains nothing, and is refused where its bounds leave out zero. A row is hard, or soft with a
-/// weight w: a soft row may be missed by a slack s
-/// >= 0 that costs w s^2.
+/// weight w: then it may be missed by a slack s, s >= 0, that costs w s^2.
 template <typename Scalar, int Size, int MaxRows>
 class ConstraintRows {
  public:
@@ -36,9 +35,8 @@ class ConstraintRows {
   /// @param lower   -infinity for none
   /// @param upper   kFree for none
   /// @param weight  w > 0 [cost per squared unit of a x]; kHard for none
-  /// @return Ok; NonFiniteInput for a NaN or an infinite a; Infeasible for lower > upper, and for a = 0 with
-  ///         bounds that leave out zero; CapacityExceeded. Only after
-  ///         Ok has the row been added.
+  /// @return Ok; NonFiniteInput for a NaN or an infinite a; Infeasible for lower > upper, and for a = 0 with bounds
+  ///         that leave out zero; CapacityExceeded. Only after Ok has the row been added.
   Status add(const Vector& a, Scalar lower, Scalar upper = kFree, Scalar weight = kHard) noexcept {
     return add({a, lower, upper, weight, a.squaredNorm(), -1});
   }

@@ -65,6 +65,24 @@ class ActiveFactor {
     }
   }
 
+  /// The same without a root of P: g is P n, each q_l is P times a combination of normals, and a product of two columns
+  /// is that of q_l and n. This is Cholesky's method on S, with an error of its condition itself. All columns of a
+  /// factor are split either this way or that.
+  /// @param n          the normal, padded with zeros
+  /// @param curvature  n P n
+  void split_without_root(const Image& g, const Image& n, Scalar curvature, Scalar compliance, int count,
+                          Split& s) const noexcept {
+    s.top = g;
+    s.squared = curvature + compliance;
+    s.cancelled = s.soft = false;  // what a soft row has beside g meets no other row's n
+    if (count == 0) return;
+    for (int l = 0; l < count; ++l) s.within[at(l)] = q_[at(l)].dot(n) * inverse_[at(l)];
+    Image top = g;  // in registers
+    for (int l = 0; l < count; ++l) top -= s.within[at(l)] * q_[at(l)];
+    s.top = top;
+    s.squared = n.dot(top) + compliance;
+  }
+
   /// Makes a column that was split against the first k the one with number k.
   void set(int k, const Split& s) noexcept {
     inverse_[at(k)] = Scalar(1) / s.squared;

@@ -28,8 +28,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::make(int row, Scalar sign, Active& 
   a.compliance = compliance(a);
 }
 
-/// Image and curvature of a constraint. For the only one P itself will do, and a root is not worth its time: x moves
-/// along P n, and n P n is all that has to be divided by. Unless it is mostly the rounding of P n.
+/// Image and curvature of a constraint.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::look(Active& a) noexcept {
   if (B_ == nullptr) {
@@ -37,18 +36,46 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::look(Active& a) noexcept {
     a.image.setZero();
     a.image.template head<Size>() = along;
     a.curvature = a.normal.dot(along);
-    if (a.curvature > std::sqrt(kEpsilon) * a.norm * along.norm()) return;
-    take_root();
+    return;
   }
   if (a.row >= MaxRows) {
     a.image = a.sign * B_->col(a.row - MaxRows);
   } else {
-    Image image = a.normal[0] * B_->col(0);  // in registers, where a.image could be a part of B for all that is known
+    // In registers, where a.image could be a part of B for all that is known; in two sums, which do not wait for each
+    // other.
+    Image even = a.normal[0] * B_->col(0), odd = Image::Zero();
     RME_UNROLL
-    for (int i = 1; i < Size; ++i) image += a.normal[i] * B_->col(i);
-    a.image = image;
+    for (int i = 1; i < Size; ++i) (i % 2 == 0 ? even : odd) += a.normal[i] * B_->col(i);
+    a.image = even + odd;
   }
   a.curvature = a.image.squaredNorm();
+}
+
+/// Splits a constraint against the first `count`.
+template <typename Scalar, int Size, int MaxRows>
+void ActiveSetSolver<Scalar, Size, MaxRows>::split(const Active& a, int count, Split& s) const noexcept {
+  if (B_ == nullptr) {
+    Image n = Image::Zero();
+    n.template head<Size>() = a.normal;
+    factor_.split_without_root(a.image, n, a.curvature, a.compliance, count, s);
+  } else {
+    factor_.split(a.image, a.curvature, a.compliance, count, s);
+  }
+}
+
+/// Splits a constraint against the active ones. P itself will do, and a root is not worth its time, as long as what is
+/// orthogonal is known to 64 sqrt(epsilon) of it: the rounding of n P n is a few epsilon of sum_i n_i^2 P_ii, and
+/// refine() squares a relative error.
+template <typename Scalar, int Size, int MaxRows>
+void ActiveSetSolver<Scalar, Size, MaxRows>::split_safely(Active& a, Split& s) noexcept {
+  split(a, count_, s);
+  if (B_ != nullptr || s.squared > 64 * std::sqrt(kEpsilon) * a.normal.cwiseAbs2().dot(P_->diagonal())) return;
+  needs_root_ = true;
+  take_root();  // the active constraints are as they were, but for their images
+  for (int k = 0; k < count_; ++k) look(active_[index(k)]);
+  refactor(0);
+  look(a);
+  split(a, count_, s);
 }
 
 /// From here on the metric is seen through a root; for any number of constraints.
@@ -64,7 +91,8 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::shift(const Image& z) noexcept {
   if (B_ == nullptr) {
     x_ += z.template head<Size>();
   } else {
-    x_.noalias() += B_->transpose().lazyProduct(z);
+    RME_UNROLL
+    for (int i = 0; i < Size; ++i) x_[i] += B_->col(i).dot(z);
   }
 }
 

@@ -14,7 +14,8 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   origin_ = x_u.norm();
   relaxed_ = stretched_less_ = false;
   B_ = given_;
-  if (B_ == nullptr && count_ > 1) take_root();
+  needs_root_ = needs_root_ && count_ > 1;  // as in the last solve
+  if (B_ == nullptr && needs_root_) take_root();
   iterations_ = 0;
   held_.fill(false);
   factor_.clear();
@@ -31,16 +32,12 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   Active entering;
   for (;;) {
     if (!most_violated(row, sign)) {
-      if (!exact_ && !active_hold(kFeasible)) status = Status::NotConverged;
+      if (!exact_ && !active_hold(kFeasible, false)) status = Status::NotConverged;
       break;
     }
     if (iterations_ >= kMaxIterations) {
       status = Status::NotConverged;
       break;
-    }
-    if (B_ == nullptr && count_ > 0) {
-      take_root();
-      remake();
     }
     make(row, sign, entering);
     if (enter(entering)) {
@@ -61,9 +58,9 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
 }
 
 template <typename Scalar, int Size, int MaxRows>
-void ActiveSetSolver<Scalar, Size, MaxRows>::store(const Active& a, const typename Factor::Split& split) noexcept {
+void ActiveSetSolver<Scalar, Size, MaxRows>::store(const Active& a, const Split& s) noexcept {
   active_[index(count_)] = a;
-  factor_.set(count_, split);
+  factor_.set(count_, s);
   held_[index(a.row)] = true;
   ++count_;
 }
@@ -73,11 +70,11 @@ template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::push(int row, Scalar sign) noexcept {
   Active& a = active_[index(count_)];
   make(row, sign, a);
-  typename Factor::Split split;
-  factor_.split(a.image, a.curvature, a.compliance, count_, split);
+  Split s;
+  split_safely(a, s);
   // A generous threshold: a constraint left out here comes back through enter() if the optimum needs it.
-  if (!(split.squared > std::sqrt(kEpsilon) * a.curvature) || !std::isfinite(a.rise)) return;
-  factor_.set(count_++, split);
+  if (!(s.squared > std::sqrt(kEpsilon) * a.curvature) || !std::isfinite(a.rise)) return;
+  factor_.set(count_++, s);
   held_[index(row)] = true;
 }
 
@@ -92,13 +89,13 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::drop(int k) noexcept {
 /// Computes the columns from `from` on anew.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::refactor(int from) noexcept {
-  typename Factor::Split split;
+  Split s;
   for (int k = from; k < count_; ++k) {
     const Active& a = active_[index(k)];
-    factor_.split(a.image, a.curvature, a.compliance, k, split);
+    split(a, k, s);
     // Columns stay independent when others leave; the floor only guards against rounding.
-    split.squared = std::max(split.squared, kEpsilon * kEpsilon * a.curvature);
-    factor_.set(k, split);
+    s.squared = std::max(s.squared, kEpsilon * kEpsilon * a.curvature);
+    factor_.set(k, s);
   }
 }
 
@@ -141,7 +138,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   x_ = *x_u_;
   if (count_ > 0) shift(factor_.combine(w, count_));
   reach_ = origin_ + x_.norm();
-  exact_ = active_hold(kRounding);
+  exact_ = active_hold(kRounding, true);
   if (!exact_) refine();
 }
 
@@ -168,13 +165,13 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
 /// Brings a violated constraint into the active set, dropping those whose multiplier would turn negative on the way.
 /// @return false if it contradicts those that cannot be dropped
 template <typename Scalar, int Size, int MaxRows>
-bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(const Active& a) noexcept {
+bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(Active& a) noexcept {
   Scalar rise = a.rise - a.normal.dot(x_ - *x_u_);
-  typename Factor::Split split;
+  Split s;
   Column r;
   for (; iterations_ < kMaxIterations; ++iterations_) {
-    factor_.split(a.image, a.curvature, a.compliance, count_, split);
-    for (int k = 0; k < count_; ++k) r[index(k)] = split.within[index(k)];
+    split_safely(a, s);
+    for (int k = 0; k < count_; ++k) r[index(k)] = s.within[index(k)];
     factor_.backward(r, count_);
     Scalar blocked = kInfinity;  // the step at which a multiplier reaches zero
     int blocking = -1;
@@ -186,11 +183,11 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(const Active& a) noexcept {
         blocking = k;
       }
     }
-    const Scalar pivot = split.squared;
-    const bool dependent = split.cancelled && std::sqrt(pivot) <= 4 * kEpsilon * noise(a, r);
+    const Scalar pivot = s.squared;
+    const bool dependent = s.cancelled && std::sqrt(pivot) <= 4 * kEpsilon * noise(a, r);
     const Scalar full = dependent ? kInfinity : rise / pivot;
     if (full < kInfinity && full <= blocked) {  // what the metric cannot see has no step either
-      store(a, split);
+      store(a, s);
       ++iterations_;
       return true;
     }
@@ -226,13 +223,14 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::most_violated(int& row, Scalar& sig
   return furthest > 0;
 }
 
-/// Whether the active constraints hold in x_, soft ones by their slack.
+/// Whether the active constraints hold in x_, soft ones with their slack.
+/// @param exactly  as equalities
 template <typename Scalar, int Size, int MaxRows>
-bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance) const noexcept {
+bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance, bool exactly) const noexcept {
   for (int k = 0; k < count_; ++k) {
     const Active& a = active_[index(k)];
     const Scalar miss = a.bound - a.normal.dot(x_) - a.compliance * std::max(a.multiplier, Scalar(0));
-    if (!(miss <= tolerance * (a.norm * reach_ + std::abs(a.bound)))) return false;
+    if (!((exactly ? std::abs(miss) : miss) <= tolerance * (a.norm * reach_ + std::abs(a.bound)))) return false;
   }
   return true;
 }
