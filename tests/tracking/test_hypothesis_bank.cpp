@@ -517,7 +517,7 @@ TEST_CASE("HypothesisBank: stiction that may have jumped is the mixture of both,
       const auto o = model.observation(j, 0);
       auto p = star.predict(j, o);
       const auto density = [&](double S) { return std::exp(-0.5 * p.innovation * p.innovation / S) / std::sqrt(S); };
-      const double jump = model.stiction_jump(j), stays = density(p.variance), jumps = density(p.variance + jump);
+      const double jump = model.stiction_jump(star, j), stays = density(p.variance), jumps = density(p.variance + jump);
       REQUIRE((jump > 0) == (j > 0));
       expected += std::log(jump > 0 ? stays + jumps : stays);
       if (jump > 0) star.joint(j).covariance(rme::kStiction, rme::kStiction) += jump * jumps / (stays + jumps);

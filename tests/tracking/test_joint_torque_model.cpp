@@ -200,19 +200,38 @@ TEST_CASE("JointTorqueModel: what holds a resting joint wanders while others mov
   Life life = life_of(scene, 0, Sensing::JointFriction, 0.5);
   hold(life, std::exp(-kPeriod / 20), std::pow(0.6 * kArm.coulomb[0], 2));
   check_life(before, scene.star, 0, life);
-  CHECK(scene.model.stiction_jump(0) == Approx(std::pow(1.5 * kArm.coulomb[0], 2)));
-  CHECK(scene.model.stiction_jump(1) == 0);  // it moves
+  CHECK(scene.model.stiction_jump(scene.star, 0) == Approx(std::pow(1.5 * kArm.coulomb[0], 2)));
+  CHECK(scene.model.stiction_jump(scene.star, 1) == 0);  // it moves
 
   Scene still(Sensing::JointFriction);
   before = still.star = any_star(random);
   still.block(Joints::Zero());
   for (int j = 0; j < kDofs; ++j) {
     check_life(before, still.star, j, life_of(still, j, Sensing::JointFriction, 0));
-    CHECK(still.model.stiction_jump(j) == 0);
+    CHECK(still.model.stiction_jump(still.star, j) == 0);
   }
   Scene behind(Sensing::LinkSide);
   behind.block(Joints(0, 0.5));
-  CHECK(behind.model.stiction_jump(0) == 0);
+  CHECK(behind.model.stiction_jump(behind.star, 0) == 0);
+}
+
+TEST_CASE("JointTorqueModel: friction holds a resting joint with no more than motion has shown", "[joint_torque]") {
+  for (const double shown : {0.02, 10.0}) {
+    CAPTURE(shown);
+    Scene scene(Sensing::JointFriction);
+    auto& joint = scene.star.joint(0);
+    // Half of it is known to belong to the payload's mass.
+    scene.star.replace_payload(2 * rme::InertialVector<double>::Unit(0), rme::InertialMatrix<double>::Zero());
+    joint.slope(0, rme::kCoulomb) = 0.25 * shown;
+    joint.mean[rme::kCoulomb] = 0.5 * shown;
+    joint.covariance(rme::kCoulomb, rme::kCoulomb) = 0.01 * 0.01;
+    joint.covariance(rme::kStiction, rme::kStiction) = 0.3 * 0.3;
+    const double square = shown * shown + 0.01 * 0.01 + std::pow(1e-4 * kArm.coulomb[0], 2);
+    const double variance = std::min(std::pow(0.6 * kArm.coulomb[0], 2), square), keep = std::exp(-2 * kPeriod / 20);
+    scene.block(Joints(0, 0.5));
+    CHECK(joint.covariance(rme::kStiction, rme::kStiction) == Approx(keep * 0.3 * 0.3 + (1 - keep) * variance));
+    CHECK(scene.model.stiction_jump(scene.star, 0) == Approx(6.25 * variance));
+  }
 }
 
 TEST_CASE("JointTorqueModel: what holds a resting joint turns over as its torque changes, if friction is sure to show",

@@ -44,7 +44,7 @@ class JointTorqueModel {
       joint.mean[kViscous] = arm_.viscous[j];
       joint.covariance(kCoulomb, kCoulomb) = Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];
       joint.covariance(kViscous, kViscous) = Scalar(0.25) * arm_.viscous[j] * arm_.viscous[j];
-      joint.covariance(kStiction, kStiction) = stiction_variance(j);
+      joint.covariance(kStiction, kStiction) = stiction_variance(star, j);
     }
     return star;
   }
@@ -61,10 +61,10 @@ class JointTorqueModel {
   /// @param mass  that is held [kg]: what noise of dq makes of its inertia is noise
   JointObservation<Scalar> observation(int j, Scalar mass) const noexcept;
   /// Variance by which what holds a joint may have jumped within the block: while others move, that of a resting one
-  /// may be anywhere within its friction [(N m)^2]. 0 if it cannot have.
-  Scalar stiction_jump(int j) const noexcept {
+  /// may be anywhere within its friction, as far as `star` knows that [(N m)^2]. 0 if it cannot have.
+  Scalar stiction_jump(const Star& star, int j) const noexcept {
     if (sensing_ == Sensing::LinkSide || regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
-    return Scalar(6.25) * stiction_variance(j);
+    return Scalar(6.25) * stiction_variance(star, j);
   }
   /// Whether the arm's model is taken to be rough.
   bool rough() const noexcept { return sensing_ == Sensing::RoughModel; }
@@ -124,11 +124,13 @@ class JointTorqueModel {
 
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
-  /// Of what may hold a resting joint [(N m)^2].
-  Scalar stiction_variance(int j) const noexcept {
+  /// Of what may hold a resting joint [(N m)^2]: 0.6 of the Coulomb friction to expect, and no more friction than motion
+  /// has shown.
+  Scalar stiction_variance(const Star& star, int j) const noexcept {
     const Scalar off = Scalar(0.6) * arm_.coulomb[j];
     if (sensing_ == Sensing::RoughModel) return off * off + Scalar(kRoughStiction) * noise_.residual_variance(j);
-    return off * off;
+    const Scalar mean = star.nuisance_mean(j)[kCoulomb];
+    return std::min(off * off, mean * mean + star.joint(j).covariance(kCoulomb, kCoulomb));  // E[Coulomb^2]
   }
   Sensing sensing_;
   ArmPrior<Scalar, Dofs> arm_;

@@ -70,7 +70,7 @@ Scalar HypothesisBank<Scalar, Dofs>::update(Star& star) noexcept {
     auto p = star.predict(j, model_.observation(j, mass));
     const Scalar square = p.innovation * p.innovation;
     const auto log_density = [square](Scalar variance) { return Scalar(-0.5) * (square / variance + log(variance)); };
-    if (const Scalar jump = model_.stiction_jump(j); jump > 0) {  // both, by their likelihoods
+    if (const Scalar jump = model_.stiction_jump(star, j); jump > 0) {  // both, by their likelihoods
       const Scalar stays = log_density(p.variance), jumps = log_density(p.variance + jump);
       const Scalar share = Scalar(1) / (Scalar(1) + exp(stays - jumps));
       log_likelihood += std::max(stays, jumps) + log(Scalar(1) + exp(-std::abs(stays - jumps)));

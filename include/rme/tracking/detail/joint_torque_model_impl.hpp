@@ -121,7 +121,7 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
     if (rough) {  // what holds a joint that stops is another torque each time, and creeps
       const Scalar held = hold * exp(Scalar(-0.5) * turned_[j]);
       scale(kStiction, held);
-      V(kStiction, kStiction) += (Scalar(1) - held * held) * stiction_variance(j);
+      V(kStiction, kStiction) += (Scalar(1) - held * held) * stiction_variance(star, j);
       continue;
     }
     const JointFriction<Scalar>& friction = regime_.joint(j);
@@ -135,9 +135,9 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
       V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
     } else if (regime_.rests(j)) {
       const Scalar change = regime_.arm_moves() || friction_shows_ ? torque_change_[j] : Scalar(0);
-      const Scalar held = hold * exp(-change / arm_.coulomb[j]);
+      const Scalar held = hold * exp(-change / arm_.coulomb[j]), variance = stiction_variance(star, j);
       scale(kStiction, held);
-      V(kStiction, kStiction) += (Scalar(1) - held * held) * stiction_variance(j);
+      V(kStiction, kStiction) += (Scalar(1) - held * held) * variance;
     }
   }
 }
