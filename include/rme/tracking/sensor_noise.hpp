@@ -149,11 +149,11 @@ class SensorNoise {
   struct Range {
     double first, least, largest;
   };
-  // No rigid-body model is better than the least, whatever a few seconds of motion show; of two kinds, the one that may
-  // go lower would be believed of an arm that has no residual, whether friction shows or not. A residual on a link-side
-  // arm that could take on the size of friction would be one more friction model, and a bad one; where friction is
-  // learned, it takes its share.
-  static constexpr Range kResidual[kSensings] = {{0.02, 0.005, 0.1}, {0.005, 0.005, 0.1}, {0.3, 0.1, 4}};
+  // No rigid-body model is better than the least, whatever a few seconds of motion show. Link side and joint friction
+  // begin and end alike: of two kinds, the one with the smaller residual would be believed of an arm that has none,
+  // whether friction shows or not. A residual on a link-side arm that could absorb as much as friction would be one
+  // more friction model, and a bad one.
+  static constexpr Range kResidual[kSensings] = {{0.015, 0.005, 0.1}, {0.015, 0.005, 0.1}, {0.3, 0.1, 4}};
   static constexpr double kPriorBlocks = 5;       // that the prior counts for
   static constexpr double kWatch = 25;            // blocks that watch() looks back on
   static constexpr double kNoisier = 4;           // times the variance, which no hour of events and white noise shows
