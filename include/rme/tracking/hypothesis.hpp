@@ -44,14 +44,14 @@ struct PerHypothesis {
 };
 
 /// P(this block's hypothesis | the last block's): rows from, columns to. Something happens once in 20 s; a hand-over is
-/// done within three blocks; a push lasts 0.7 s, pouring 1.3 s (docs/theory.md (T19)). The odds of what a block shows
+/// done within three blocks; a push lasts 0.7 s, pouring 2.7 s (docs/theory.md (T19)). The odds of what a block shows
 /// are tens of nats, so that none of these matters by a factor of two or three, by which blocks of an arm with noisy dq
 /// are longer.
 inline constexpr std::array<std::array<double, kHypotheses>, kHypotheses> kTransitions = {{
     // Empty  Steady  Filling Exchanged Pushed
     {0.9978, 0, 0.0002, 0.001, 0.001},      // from Empty
     {0.0003, 0.9967, 0.001, 0.001, 0.001},  // from Steady
-    {0.001, 0.010, 0.985, 0.002, 0.002},    // from Filling
+    {0.0003, 0.003, 0.9927, 0.002, 0.002},  // from Filling
     {0.010, 0.29, 0.005, 0.69, 0.005},      // from Exchanged
     {0.012, 0.012, 0.002, 0.003, 0.971},    // from Pushed
 }};

@@ -10,6 +10,7 @@
 #include <rme/tracking/friction_regime.hpp>
 #include <rme/tracking/hypothesis.hpp>
 #include <rme/tracking/joint_torque_model.hpp>
+#include <rme/tracking/pour_monitor.hpp>
 #include <rme/tracking/push_filter.hpp>
 #include <rme/tracking/star_gaussian.hpp>
 #include <rme/tracking/torque_block.hpp>
@@ -76,6 +77,8 @@ class HypothesisBank {
     const auto& p = probability_.values;
     return static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
   }
+  /// P(this block's hypothesis | the last block's).
+  Scalar transition(std::size_t from, std::size_t to) const noexcept;
   const Star& source(std::size_t from, Hypothesis to) const noexcept;
   void take_in(Hypothesis h) noexcept;
   void mix(Hypothesis h) noexcept;
@@ -88,11 +91,13 @@ class HypothesisBank {
   Scalar log_plausible(const Star& star) const noexcept;
   bool settled_explains() const noexcept;
   void follow_exchange() noexcept;
+  void follow_pour() noexcept;
 
   JointTorqueModel<Scalar, Dofs> model_;
   PayloadPrior<Scalar> payload_;
   Scalar rated_;
   PushFilter<Scalar, Dofs> push_;
+  PourMonitor<Scalar, Dofs> pour_;
   std::array<Star, kHypotheses> stars_, next_;
   // Of a block in which nothing happened, 0.1 to 0.2 s ago, and of one less long ago, with what may have changed since.
   Star before_, recent_;
@@ -172,8 +177,7 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
   patient_ = model_.rough() && context.kind_likely;
   for (std::size_t to = 0; to < kHypotheses; ++to) {
     Scalar sum = Scalar(0);
-    for (std::size_t from = 0; from < kHypotheses; ++from)
-      sum += static_cast<Scalar>(kTransitions[from][to]) * probability_.values[from];
+    for (std::size_t from = 0; from < kHypotheses; ++from) sum += transition(from, to) * probability_.values[from];
     predicted_.values[to] = sum;
   }
   constexpr std::size_t pushed = index(Hypothesis::Pushed);
@@ -249,6 +253,7 @@ Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
     in_question_.values[i] = in_question_.values[i] && std::isfinite(likelihood_.values[i]) && next_[i].finite();
     if (in_question_.values[i]) highest = std::max(highest, likelihood_.values[i]);
   }
+  follow_pour();
   if (!in_question_[Hypothesis::Pushed]) push_.forget();
   Scalar total = Scalar(0);
   PerHypothesis<Scalar> posterior;

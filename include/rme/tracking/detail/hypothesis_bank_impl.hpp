@@ -8,14 +8,26 @@
 
 namespace rme {
 
+template <typename Scalar, int Dofs>
+Scalar HypothesisBank<Scalar, Dofs>::transition(std::size_t from, std::size_t to) const noexcept {
+  constexpr std::size_t steady = index(Hypothesis::Steady), filling = index(Hypothesis::Filling);
+  const auto usual = static_cast<Scalar>(kTransitions[from][to]);
+  if (from != steady && from != filling) return usual;
+  const Scalar more = from == steady ? pour_.onset() : pour_.end();
+  if (to == from) return usual - more;
+  return to == steady || to == filling ? usual + more : usual;
+}
+
 /// What is known of an arm in which `to` begins, having been in `from`. A change has gone on for a while before it is
-/// noticed, and nuisances have taken on a share of it: what follows a change starts from before. A push does as well,
-/// where an exchange has just been believed in: it has been the push, and what was held before is held still.
+/// noticed, and nuisances have taken on a share of it: what follows a change starts from before. So does a pour that has
+/// shown for a while; and a push, where an exchange has just been believed in: it has been the push, and what was held
+/// before is held still.
 template <typename Scalar, int Dofs>
 auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const noexcept -> const Star& {
   const auto h = static_cast<Hypothesis>(from);
   const bool doubtful = h == Hypothesis::Exchanged || (h != Hypothesis::Empty && since_exchange_ < Scalar(kDoubtful));
-  const bool change = h != to && (to == Hypothesis::Empty || (to == Hypothesis::Pushed && doubtful));
+  const bool poured = to == Hypothesis::Filling && h == Hypothesis::Steady && pour_.onset() > 0;
+  const bool change = h != to && (to == Hypothesis::Empty || poured || (to == Hypothesis::Pushed && doubtful));
   return change ? before_ : stars_[from];
 }
 
@@ -35,7 +47,7 @@ void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
   Scalar sum = Scalar(0);
   std::size_t parts = 0, last = index(h);
   for (std::size_t from = 0; from < kHypotheses; ++from) {
-    const Scalar w = static_cast<Scalar>(kTransitions[from][index(h)]) * probability_.values[from];
+    const Scalar w = transition(from, index(h)) * probability_.values[from];
     if (!(w > Scalar(kNegligible) * predicted_[h])) continue;
     weight[from] = w;
     sum += w;
@@ -136,9 +148,7 @@ void HypothesisBank<Scalar, Dofs>::forget(Star& star) const noexcept {
 /// Covariance of what is poured in within a block: any mass, with its centre about where the payload's is.
 template <typename Scalar, int Dofs>
 InertialMatrix<Scalar> HypothesisBank<Scalar, Dofs>::filling(const Star& star) const noexcept {
-  using std::sqrt;
-  constexpr double kRate = 0.0027;  // of the rated payload, in a block of 20 ms
-  const Scalar mass = Scalar(kRate) * rated_ * sqrt(model_.block().duration / Scalar(0.02));
+  const Scalar mass = pour_.spread(model_.block().duration) * rated_;
   const Scalar held = star.mean()[0];
   Vector4<Scalar> poured;  // (m, m r) of a body of this mass
   poured[0] = mass;
@@ -188,6 +198,24 @@ void HypothesisBank<Scalar, Dofs>::follow_exchange() noexcept {
   since_exchange_ += model_.block().duration;
   worst_ = std::max(worst_, innovation_squared_);
   if (probability_[Hypothesis::Exchanged] > Scalar(0.5)) since_exchange_ = worst_ = Scalar(0);
+}
+
+/// Tells the pour monitor what *steady* and *filling* made of the block, while one of them is believed.
+template <typename Scalar, int Dofs>
+void HypothesisBank<Scalar, Dofs>::follow_pour() noexcept {
+  const Hypothesis steady = Hypothesis::Steady, filling = Hypothesis::Filling;
+  if (in_question_[steady] && probability_[steady] > Scalar(0.5)) {
+    const InertialVector<Scalar>& phi = next(steady).mean();
+    JointVector<Scalar, Dofs> noise;
+    for (int j = 0; j < Dofs; ++j) noise[j] = model_.observation(j, phi[0]).noise;
+    pour_.follow_steady(model_.block(), phi, rated_, innovation_[steady], variance_[steady], noise);
+  } else {
+    pour_.forget_lean();
+  }
+  if (in_question_[filling] && probability_[filling] > Scalar(0.5))
+    pour_.follow_filling((next(filling).mean()[0] - star(filling).mean()[0]) / rated_, model_.block().duration);
+  else
+    pour_.forget_pace();
 }
 
 }  // namespace rme
