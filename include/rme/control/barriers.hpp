@@ -138,8 +138,9 @@ struct JointLimitsConfig {
 ///     -k_1 (q - q_min) - k_2 dq <= ddq <= k_1 (q_max - q) - k_2 dq,      -p (dq_max + dq) <= ddq <= p (dq_max - dq)
 ///
 /// The tighter bound of each side counts. Where the two pairs contradict each other, which takes a joint that is both
-/// too fast and next to its limit, the position limit wins. In sampled time p is (1 - e^-pT) / T, and each bound is
-/// moved inwards by the error of the prediction.
+/// too fast and next to its limit, the position limit wins. In sampled time p is (1 - e^-pT) / T. Each bound is moved
+/// inwards by the error of the prediction, that of a velocity by p dq_max at most: it then asks for ddq = -p dq, a
+/// standstill. An error beyond that may take a joint past its velocity limit, and Ok is returned all the same.
 template <typename Scalar, int Dofs>
 class JointLimits {
  public:
@@ -197,8 +198,10 @@ Status JointLimits<Scalar, Dofs>::append(const JointVector<Scalar, Dofs>& q, con
       lower = upper = (lower + upper) / 2;
       all = Status::Infeasible;
     }
-    const Scalar slowest = -config_.velocity_pole * (config_.velocity_limit[j] + dq[j]) + error.below[j];
-    const Scalar fastest = config_.velocity_pole * (config_.velocity_limit[j] - dq[j]) - error.above[j];
+    // A bound that an error has turned round would drive the joint, to any velocity: it stops at standstill.
+    const Scalar stop = -config_.velocity_pole * dq[j], room = config_.velocity_pole * config_.velocity_limit[j];
+    const Scalar slowest = stop - std::max(room - error.below[j], Scalar(0));
+    const Scalar fastest = stop + std::max(room - error.above[j], Scalar(0));
     // lower <= upper always; each velocity bound is clamped into the position bounds, then they into each other.
     const Scalar highest = std::max(std::min(upper, fastest), lower);
     const Status status = rows.add_axis(j, std::min(std::max(lower, slowest), highest), highest, config_.weight);
