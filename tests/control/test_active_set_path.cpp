@@ -126,6 +126,52 @@ TEST_CASE("ActiveSetSolver: rounding far from where it began is no violation", "
   }
 }
 
+TEST_CASE("ActiveSetSolver: rounding is no violation at an optimum that is as far from the origin as its start",
+          "[qp]") {
+  // From (-600, -800) to (600, 800), first x, then y. Rows through the origin and the optimum, at many scales, hold by
+  // rounding only.
+  const unsigned seed = 4016;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.1, 10);
+  for (int k = 0; k < 100; ++k) {
+    CAPTURE(k);
+    Solver2 solver;
+    Solver2::Rows rows;
+    REQUIRE(rows.add(Vector2(1, 0), 600) == rme::Status::Ok);
+    REQUIRE(rows.add(Vector2(0, 1), 800) == rme::Status::Ok);
+    for (int copy = 0; copy < 6; ++copy) {
+      const double scale = (copy % 2 ? 1 : -1) * uniform(random);
+      REQUIRE(rows.add(scale * Vector2(4, -3), 0) == rme::Status::Ok);
+    }
+    REQUIRE(solver.solve(kIdentity, Vector2(-600, -800), rows, -kFar, kFar) == rme::Status::Ok);
+    CHECK(solver.solution() == Vector2(600, 800));
+    CHECK(solver.active_count() == 2);
+  }
+}
+
+TEST_CASE("ActiveSetSolver: what enters goes on from where it was blocked, and takes out no more than it has to",
+          "[qp]") {
+  // -x + 3 z >= 17 enters first, then x + 2 y + 3 z >= 4, then z >= 4, which takes the second one out: four changes. The
+  // first one may stay: x = (-5, 3, 4) with x - x_u = (-2, 0, 7) = P (26.5 (0, 0, 1) + 0.5 (-1, 0, 3)), and the second
+  // one has 13. A step whose first part is counted twice takes out the first one too, which has to come back.
+  using Solver = rme::ActiveSetSolver<double, 3, 3>;
+  using Vector = Solver::Vector;
+  Solver solver;
+  Solver::Rows rows;
+  REQUIRE(rows.add(Vector(0, 0, 1), 4) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(1, 2, 3), 4) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(-1, 0, 3), 17) == rme::Status::Ok);
+  const Solver::Matrix P = Vector(4, 8, 0.25).asDiagonal();
+  const Vector far = Vector::Constant(1000);
+  REQUIRE(solver.solve(P, Vector(-3, 3, -3), rows, -far, far) == rme::Status::Ok);
+  CHECK((solver.solution() - Vector(-5, 3, 4)).norm() < 1e-14);
+  CHECK(solver.multiplier(0) == Approx(26.5).epsilon(1e-14));
+  CHECK(solver.multiplier(1) == 0);
+  CHECK(solver.multiplier(2) == Approx(0.5).epsilon(1e-14));
+  CHECK(solver.iterations() == 4);
+}
+
 TEST_CASE("ActiveSetSolver: steps are short on the way: what leaves the active set seldom comes back", "[qp]") {
   // Twenty rows in six dimensions, from nothing. A solver that overshoots, or takes in what is near first, gets there
   // as well, with more changes.
@@ -247,6 +293,18 @@ TEMPLATE_TEST_CASE("ActiveSetSolver: a row that the metric can hardly see holds 
     P << 1, 1, 1, 1 + tiny;
     REQUIRE(solver.solve(P, Vector(1, 0.5F), rows, -far, far) == rme::Status::Ok);
     CHECK(solver.solution()[0] - solver.solution()[1] == Approx(1).epsilon(1e-5));
+  }
+  {
+    // On its own, a row moves x as the given metric says, however little that sees of it: B (1, -1) = (0, -tiny), so x
+    // moves along B^T (0, -tiny) = (0, -tiny^2).
+    const TestType tiny = std::numeric_limits<TestType>::epsilon();
+    Solver solver;
+    typename Solver::Rows rows;
+    REQUIRE(rows.add(Vector(1, -1), 1) == rme::Status::Ok);
+    typename Solver::Root root = Solver::Root::Zero();
+    root.template topRows<2>() << 1, 1, 0, tiny;
+    REQUIRE(solver.solve_from_root(root, Vector(1, 0.5F), rows, -far, far) == rme::Status::Ok);
+    CHECK(solver.solution() == Vector(1, 0));
   }
   Solver solver;
   typename Solver::Rows rows;

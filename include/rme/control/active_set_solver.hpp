@@ -74,7 +74,6 @@ class ActiveSetSolver {
   /// Forgets the active set, so that the next solve starts cold, and the solution.
   void reset() noexcept {
     count_ = iterations_ = 0;
-    needs_root_ = false;
     multiplier_.fill(0);
     slack_.fill(0);
     x_.setZero();
@@ -139,7 +138,7 @@ class ActiveSetSolver {
   bool enter(Active& a) noexcept;
   Scalar noise(const Active& a, const Column& r) const noexcept;
   bool most_violated(int& row, Scalar& sign) const noexcept;
-  bool active_hold(Scalar tolerance, bool exactly) const noexcept;
+  bool active_hold(Scalar tolerance) const noexcept;
   void stretch_less() noexcept;
   void relax() noexcept;
   void remake() noexcept;
