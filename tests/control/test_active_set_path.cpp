@@ -243,6 +243,32 @@ TEMPLATE_TEST_CASE("ActiveSetSolver: active rows hold to a few roundings, howeve
   CHECK(solved > 4000);
 }
 
+TEST_CASE("ActiveSetSolver: a row that ends inside its bound, with no multiplier, is no miss", "[qp]") {
+  // A soft row enters on the way, and rounding keeps it to the end with a multiplier that should be zero. The optimum is
+  // where the two hard rows meet that have to hold.
+  using Solver = rme::ActiveSetSolver<float, 2, 8>;
+  using Vector = Solver::Vector;
+  Solver solver;
+  Solver::Rows rows;
+  const float none = rows.kFree;
+  REQUIRE(rows.add(Vector(-0.8F, -0.2F), -none, 7, 1.02149439F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(-1.7315F, 1.184F), 19.6F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(0.209044561F, 0.277605414F), -1.1F, none, 0.202721417F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(1.246F, -0.69599998F), -13.6F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(-0.173356995F, 2.14F), 7.5F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(0.08F, -0.46F), -none, -2, 781.318726F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(0.03F, -0.3F), -none, -1, 77.2901077F) == rme::Status::Ok);
+  Solver::Matrix P;
+  P << 795, -403.720001F, -403.720001F, 205.042007F;
+  REQUIRE(solver.solve(P, Vector(-100, -20), rows, Vector(-20, -6), Vector(-0.6F, 10)) == rme::Status::Ok);
+  Eigen::Matrix2d corner;
+  corner << rows[1].a.cast<double>().transpose(), rows[3].a.cast<double>().transpose();
+  const Vector2 expected = corner.inverse() * Vector2(rows[1].lower, rows[3].lower);
+  CHECK((solver.solution().cast<double>() - expected).norm() < 1e-4 * expected.norm());
+  CHECK(solver.multiplier(1) > 1e4F);
+  CHECK(solver.multiplier(3) > 1e4F);
+}
+
 TEMPLATE_TEST_CASE("ActiveSetSolver: with every row and side active the box holds and each slack is what is missing",
                    "[qp]", float, double) {
   const unsigned seed = 4015;

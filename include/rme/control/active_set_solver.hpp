@@ -138,7 +138,7 @@ class ActiveSetSolver {
   bool enter(Active& a) noexcept;
   Scalar noise(const Active& a, const Column& r) const noexcept;
   bool most_violated(int& row, Scalar& sign) const noexcept;
-  bool active_hold(Scalar tolerance) const noexcept;
+  bool active_hold(Scalar tolerance, bool exactly) const noexcept;
   void stretch_less() noexcept;
   void relax() noexcept;
   void remake() noexcept;

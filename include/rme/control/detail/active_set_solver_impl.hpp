@@ -32,7 +32,7 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   Active entering;
   for (;;) {
     if (!most_violated(row, sign)) {
-      if (!exact_ && !active_hold(kFeasible)) status = Status::NotConverged;
+      if (!exact_ && !active_hold(kFeasible, false)) status = Status::NotConverged;
       break;
     }
     if (iterations_ >= kMaxIterations) {
@@ -138,7 +138,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   x_ = *x_u_;
   if (count_ > 0) shift(factor_.combine(w, count_));
   reach_ = origin_ + x_.norm();
-  exact_ = active_hold(kRounding);
+  exact_ = active_hold(kRounding, true);
   if (!exact_) refine();
 }
 
@@ -223,13 +223,14 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::most_violated(int& row, Scalar& sig
   return furthest > 0;
 }
 
-/// Whether the active constraints hold in x_ as equalities, soft ones with their slack.
+/// Whether the active constraints hold in x_, soft ones with their slack.
+/// @param exactly  as equalities. One whose multiplier rounding left at or below zero may lie inside its bound.
 template <typename Scalar, int Size, int MaxRows>
-bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance) const noexcept {
+bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance, bool exactly) const noexcept {
   for (int k = 0; k < count_; ++k) {
     const Active& a = active_[index(k)];
     const Scalar miss = a.bound - a.normal.dot(x_) - a.compliance * std::max(a.multiplier, Scalar(0));
-    if (!(std::abs(miss) <= tolerance * (a.norm * reach_ + std::abs(a.bound)))) return false;
+    if (!((exactly ? std::abs(miss) : miss) <= tolerance * (a.norm * reach_ + std::abs(a.bound)))) return false;
   }
   return true;
 }
