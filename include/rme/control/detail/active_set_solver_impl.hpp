@@ -232,6 +232,8 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance, bool 
   for (int k = 0; k < count_; ++k) {
     const Active& a = active_[index(k)];
     const Scalar miss = a.bound - a.normal.dot(x_) - a.compliance * std::max(a.multiplier, Scalar(0));
+    // A single row mostly holds without the terms of |x|, and need not wait for that norm.
+    if (count_ == 1 && std::abs(miss) <= tolerance * std::abs(a.bound)) return true;
     if (!((exactly ? std::abs(miss) : miss) <= tolerance * (a.norm * reach_ + std::abs(a.bound)))) return false;
   }
   return true;
