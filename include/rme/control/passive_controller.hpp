@@ -22,7 +22,8 @@ struct DirectionalDamping {
 /// For |f| >> f_0 it is V diag(lambda_1, lambda_2, lambda_2) V^T with the first axis of V along f [RME, Eq. 32]; the
 /// other two eigenvalues are equal, so that the other axes need not be chosen. At f = 0 it is lambda_2 I. It is a smooth
 /// function of f, symmetric, with eigenvalues between lambda_1 and lambda_2.
-/// @param f  [m/s] or [rad/s], world axes
+/// @param f        [m/s] or [rad/s], world axes
+/// @param damping  lambda_1, lambda_2 [N s/m] or [N m s/rad], f_0 [m/s] or [rad/s]
 /// @return D, 3x3, world axes [N s/m] or [N m s/rad]
 template <typename Scalar>
 Matrix3<Scalar> damping_matrix(const Vector3<Scalar>& f, const DirectionalDamping<Scalar>& damping) noexcept {
