@@ -243,6 +243,38 @@ TEMPLATE_TEST_CASE("ActiveSetSolver: active rows hold to a few roundings, howeve
   CHECK(solved > 4000);
 }
 
+TEMPLATE_TEST_CASE("ActiveSetSolver: a single row holds to a few roundings, in whatever unit", "[qp]", float, double) {
+  // B has two columns that differ by a hundredth, so that B a, and with it the first x, has lost two digits.
+  const unsigned seed = 4017;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  using Solver = rme::ActiveSetSolver<TestType, 2, 1>;
+  using Vector = typename Solver::Vector;
+  const double epsilon = double(std::numeric_limits<TestType>::epsilon());
+  const Vector far = Vector::Constant(1000);
+  for (const TestType unit : {TestType(1), std::ldexp(TestType(1), -24), std::ldexp(TestType(1), 24)}) {
+    CAPTURE(unit);
+    for (int k = 0; k < 5000; ++k) {
+      CAPTURE(k);
+      Solver solver;
+      typename Solver::Rows rows;
+      const Vector a = unit * Vector(1, TestType(-1 + 0.01 * uniform(random)));
+      typename Solver::Root root;
+      for (int i = 0; i < root.rows(); ++i) {
+        root(i, 0) = TestType(uniform(random));
+        root(i, 1) = root(i, 0) + TestType(0.01 * uniform(random));
+      }
+      const Vector x_u(TestType(uniform(random)), TestType(uniform(random)));
+      REQUIRE(rows.add(a, unit * TestType(3 + uniform(random))) == rme::Status::Ok);
+      REQUIRE(solver.solve_from_root(root, x_u, rows, -far, far) == rme::Status::Ok);
+      const Eigen::Vector2d x = solver.solution().template cast<double>(), row = a.template cast<double>();
+      const double reach = x.norm() + x_u.template cast<double>().norm(), bound = double(rows[0].lower);
+      REQUIRE(std::abs(bound - row.dot(x)) <= 10 * epsilon * (row.norm() * reach + bound));
+    }
+  }
+}
+
 TEST_CASE("ActiveSetSolver: a row that ends inside its bound, with no multiplier, is no miss", "[qp]") {
   // A soft row enters on the way, and rounding keeps it to the end with a multiplier that should be zero. The optimum is
   // where the two hard rows meet that have to hold.
