@@ -126,6 +126,52 @@ TEST_CASE("ActiveSetSolver: rounding far from where it began is no violation", "
   }
 }
 
+TEST_CASE("ActiveSetSolver: rounding is no violation at an optimum that is as far from the origin as its start",
+          "[qp]") {
+  // From (-600, -800) to (600, 800), first x, then y. Rows through the origin and the optimum, at many scales, hold by
+  // rounding only.
+  const unsigned seed = 4016;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.1, 10);
+  for (int k = 0; k < 100; ++k) {
+    CAPTURE(k);
+    Solver2 solver;
+    Solver2::Rows rows;
+    REQUIRE(rows.add(Vector2(1, 0), 600) == rme::Status::Ok);
+    REQUIRE(rows.add(Vector2(0, 1), 800) == rme::Status::Ok);
+    for (int copy = 0; copy < 6; ++copy) {
+      const double scale = (copy % 2 ? 1 : -1) * uniform(random);
+      REQUIRE(rows.add(scale * Vector2(4, -3), 0) == rme::Status::Ok);
+    }
+    REQUIRE(solver.solve(kIdentity, Vector2(-600, -800), rows, -kFar, kFar) == rme::Status::Ok);
+    CHECK(solver.solution() == Vector2(600, 800));
+    CHECK(solver.active_count() == 2);
+  }
+}
+
+TEST_CASE("ActiveSetSolver: what enters goes on from where it was blocked, and takes out no more than it has to",
+          "[qp]") {
+  // -x + 3 z >= 17 enters first, then x + 2 y + 3 z >= 4, then z >= 4, which takes the second one out: four changes. The
+  // first one may stay: x = (-5, 3, 4) with x - x_u = (-2, 0, 7) = P (26.5 (0, 0, 1) + 0.5 (-1, 0, 3)), and the second
+  // one has 13. A step whose first part is counted twice takes out the first one too, which has to come back.
+  using Solver = rme::ActiveSetSolver<double, 3, 3>;
+  using Vector = Solver::Vector;
+  Solver solver;
+  Solver::Rows rows;
+  REQUIRE(rows.add(Vector(0, 0, 1), 4) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(1, 2, 3), 4) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(-1, 0, 3), 17) == rme::Status::Ok);
+  const Solver::Matrix P = Vector(4, 8, 0.25).asDiagonal();
+  const Vector far = Vector::Constant(1000);
+  REQUIRE(solver.solve(P, Vector(-3, 3, -3), rows, -far, far) == rme::Status::Ok);
+  CHECK((solver.solution() - Vector(-5, 3, 4)).norm() < 1e-14);
+  CHECK(solver.multiplier(0) == Approx(26.5).epsilon(1e-14));
+  CHECK(solver.multiplier(1) == 0);
+  CHECK(solver.multiplier(2) == Approx(0.5).epsilon(1e-14));
+  CHECK(solver.iterations() == 4);
+}
+
 TEST_CASE("ActiveSetSolver: steps are short on the way: what leaves the active set seldom comes back", "[qp]") {
   // Twenty rows in six dimensions, from nothing. A solver that overshoots, or takes in what is near first, gets there
   // as well, with more changes.
@@ -197,6 +243,64 @@ TEMPLATE_TEST_CASE("ActiveSetSolver: active rows hold to a few roundings, howeve
   CHECK(solved > 4000);
 }
 
+TEMPLATE_TEST_CASE("ActiveSetSolver: a single row holds to a few roundings, in whatever unit", "[qp]", float, double) {
+  // B has two columns that differ by a hundredth, so that B a, and with it the first x, has lost two digits.
+  const unsigned seed = 4017;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  using Solver = rme::ActiveSetSolver<TestType, 2, 1>;
+  using Vector = typename Solver::Vector;
+  const double epsilon = double(std::numeric_limits<TestType>::epsilon());
+  const Vector far = Vector::Constant(1000);
+  for (const TestType unit : {TestType(1), std::ldexp(TestType(1), -24), std::ldexp(TestType(1), 24)}) {
+    CAPTURE(unit);
+    for (int k = 0; k < 5000; ++k) {
+      CAPTURE(k);
+      Solver solver;
+      typename Solver::Rows rows;
+      const Vector a = unit * Vector(1, TestType(-1 + 0.01 * uniform(random)));
+      typename Solver::Root root;
+      for (int i = 0; i < root.rows(); ++i) {
+        root(i, 0) = TestType(uniform(random));
+        root(i, 1) = root(i, 0) + TestType(0.01 * uniform(random));
+      }
+      const Vector x_u(TestType(uniform(random)), TestType(uniform(random)));
+      REQUIRE(rows.add(a, unit * TestType(3 + uniform(random))) == rme::Status::Ok);
+      REQUIRE(solver.solve_from_root(root, x_u, rows, -far, far) == rme::Status::Ok);
+      const Eigen::Vector2d x = solver.solution().template cast<double>(), row = a.template cast<double>();
+      const double reach = x.norm() + x_u.template cast<double>().norm(), bound = double(rows[0].lower);
+      REQUIRE(std::abs(bound - row.dot(x)) <= 10 * epsilon * (row.norm() * reach + bound));
+    }
+  }
+}
+
+TEST_CASE("ActiveSetSolver: a row that ends inside its bound, with no multiplier, is no miss", "[qp]") {
+  // A soft row enters on the way, and rounding keeps it to the end with a multiplier that should be zero. The optimum is
+  // where the two hard rows meet that have to hold.
+  using Solver = rme::ActiveSetSolver<float, 2, 8>;
+  using Vector = Solver::Vector;
+  Solver solver;
+  Solver::Rows rows;
+  const float none = rows.kFree;
+  REQUIRE(rows.add(Vector(-0.8F, -0.2F), -none, 7, 1.02149439F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(-1.7315F, 1.184F), 19.6F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(0.209044561F, 0.277605414F), -1.1F, none, 0.202721417F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(1.246F, -0.69599998F), -13.6F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(-0.173356995F, 2.14F), 7.5F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(0.08F, -0.46F), -none, -2, 781.318726F) == rme::Status::Ok);
+  REQUIRE(rows.add(Vector(0.03F, -0.3F), -none, -1, 77.2901077F) == rme::Status::Ok);
+  Solver::Matrix P;
+  P << 795, -403.720001F, -403.720001F, 205.042007F;
+  REQUIRE(solver.solve(P, Vector(-100, -20), rows, Vector(-20, -6), Vector(-0.6F, 10)) == rme::Status::Ok);
+  Eigen::Matrix2d corner;
+  corner << rows[1].a.cast<double>().transpose(), rows[3].a.cast<double>().transpose();
+  const Vector2 expected = corner.inverse() * Vector2(rows[1].lower, rows[3].lower);
+  CHECK((solver.solution().cast<double>() - expected).norm() < 1e-4 * expected.norm());
+  CHECK(solver.multiplier(1) > 1e4F);
+  CHECK(solver.multiplier(3) > 1e4F);
+}
+
 TEMPLATE_TEST_CASE("ActiveSetSolver: with every row and side active the box holds and each slack is what is missing",
                    "[qp]", float, double) {
   const unsigned seed = 4015;
@@ -247,6 +351,18 @@ TEMPLATE_TEST_CASE("ActiveSetSolver: a row that the metric can hardly see holds 
     P << 1, 1, 1, 1 + tiny;
     REQUIRE(solver.solve(P, Vector(1, 0.5F), rows, -far, far) == rme::Status::Ok);
     CHECK(solver.solution()[0] - solver.solution()[1] == Approx(1).epsilon(1e-5));
+  }
+  {
+    // On its own, a row moves x as the given metric says, however little that sees of it: B (1, -1) = (0, -tiny), so x
+    // moves along B^T (0, -tiny) = (0, -tiny^2).
+    const TestType tiny = std::numeric_limits<TestType>::epsilon();
+    Solver solver;
+    typename Solver::Rows rows;
+    REQUIRE(rows.add(Vector(1, -1), 1) == rme::Status::Ok);
+    typename Solver::Root root = Solver::Root::Zero();
+    root.template topRows<2>() << 1, 1, 0, tiny;
+    REQUIRE(solver.solve_from_root(root, Vector(1, 0.5F), rows, -far, far) == rme::Status::Ok);
+    CHECK(solver.solution() == Vector(1, 0));
   }
   Solver solver;
   typename Solver::Rows rows;

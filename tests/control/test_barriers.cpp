@@ -205,6 +205,47 @@ TEST_CASE("JointLimits: an error that leaves no acceleration sure to keep both l
   CHECK_THROWS_WITH((rme::JointLimits<double, 1>(config)), contains("2 over the faster pole"));
 }
 
+TEST_CASE("JointLimits: an error, however large, may stop a joint for its velocity's sake, but not drive it",
+          "[barriers]") {
+  rme::JointLimitsConfig<double, 1> config;
+  using One = Eigen::Matrix<double, 1, 1>;
+  config.q_min << -1e4;
+  config.q_max << 1e4;
+  config.velocity_limit << 3;
+  config.velocity_pole = 10;
+  const rme::JointLimits<double, 1> limits(config);
+  // At 1 rad/s without error -10 * 4 = -40 to 10 * 2 = 20; each gives way to its error, by 10 * 3 at most: to -10.
+  for (const auto& [below, above, lower, upper] :
+       {std::make_tuple(12.0, 5.0, -28.0, 15.0), std::make_tuple(31.0, 29.0, -10.0, -9.0),
+        std::make_tuple(12.0, 1e3, -28.0, -10.0), std::make_tuple(1e3, 12.0, -10.0, 8.0),
+        std::make_tuple(1e3, 700.0, -10.0, -10.0)}) {
+    CAPTURE(below, above);
+    rme::ConstraintRows<double, 1, 1> rows;
+    CHECK(limits.append(One(0.0), One(1.0), rows, {One(below), One(above)}) == rme::Status::Ok);
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].lower == Approx(lower));
+    CHECK(rows[0].upper == Approx(upper));
+  }
+  // Where the prediction is right although an error was feared, |dq| never passes its limit: no row asks it to.
+  const unsigned seed = 4331;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  config.period = 1e-3;
+  const rme::JointLimits<double, 1> sampled(config);
+  double dq = 0;
+  for (int k = 0; k < 20000; ++k) {
+    CAPTURE(k);
+    const double scale = std::pow(10.0, 2 + 2 * uniform(random));
+    const double below = scale * std::max(uniform(random), 0.0), above = scale * std::max(uniform(random), 0.0);
+    rme::ConstraintRows<double, 1, 1> rows;
+    REQUIRE(sampled.append(One(0.0), One(dq), rows, {One(below), One(above)}) == rme::Status::Ok);
+    const double wish = 1e3 * uniform(random);
+    dq += config.period * std::min(std::max(wish, rows[0].lower), rows[0].upper);
+    REQUIRE(std::abs(dq) <= 3 * (1 + 1e-12));
+  }
+}
+
 TEST_CASE("PredictionErrorWatch: bounds what it has seen, each sign for itself, and forgets", "[barriers]") {
   using Two = Eigen::Vector2d;
   rme::PredictionErrorConfig<double, 2> config;

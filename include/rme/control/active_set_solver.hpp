@@ -19,21 +19,23 @@ namespace rme {
 ///     min   1/2 (x - x_u)^T Q (x - x_u) + sum_soft w_i s_i^2
 ///     s.t.  l_i <= a_i x <= u_i (+- s_i),   x_min <= x <= x_max
 ///
-/// from the inverse P = Q^-1 = B^T B alone (docs/theory_control.md (C8, C9)). With signed active normals n_k the
-/// optimum is x = x_u + P sum_k lambda_k n_k, where S lambda = d, S_kl = n_k^T P n_l + delta_kl c_k and c_k = 1 / (2
-/// w_k), 0 if hard: one row gives the paper's closed form (26), (27), several the method of [Goldfarb & Idnani 1983].
-/// Where S is too stretched for its Cholesky factor, an orthogonal factorisation of the B n_k takes its place, whose
-/// error grows with the root of S's condition only: that is what makes float sufficient. No feasible row costs more
-/// than its check. The next solve starts from this one's active set.
+/// from the inverse P = Q^-1 = B^T B alone, by the dual method of [Goldfarb & Idnani 1983] (docs/theory_control.md (C8,
+/// C9)). With signed active normals n_k the optimum is x = x_u + P sum_k lambda_k n_k, where S lambda = d,
+/// S_kl = n_k^T P n_l + delta_kl c_k, and the compliance c_k is 1 / (2 w_k) for a soft row and 0 for a hard one. For one
+/// row this is the paper's closed form (26), (27). Given P, S is factorised by Cholesky's method while it is
+/// well-conditioned. Otherwise, and given B, the columns B n_k are orthogonalised, with an error that grows with the root
+/// of S's condition only. Each solve starts from the active set of the last one.
 ///
-/// Ok says that every row and the box hold, the active ones included: each is looked at in the x that is returned, and
-/// none is missed by more than kTolerance (|a| (|x| + |x_u|) + |bound|), a soft one by more than that beyond its slack.
-/// Where rows contradict each other only in the rounding of a stretched metric, x is the optimum for
-/// P + epsilon tr(P) I.
+/// Ok says that the box and every row hold in the x that is returned: no row is missed by more than
+/// kTolerance (|a| (|x| + |x_u|) + |bound|), a soft one by more than that beyond its slack. Where rows contradict each
+/// other only by the rounding of an ill-conditioned P, x is the optimum for P + epsilon tr(P) I.
 ///
-/// The box x_min..x_max always holds. When hard rows contradict each other or the box, all of them become soft, with
-/// the compliance sqrt(machine epsilon) a_i P a_i^T: the least sum of squared violations, each measured by the cost of
-/// removing it, up to that factor, among all x in the box.
+/// The box x_min..x_max always holds. When hard rows contradict each other or the box, all hard rows become soft, with
+/// the compliance sqrt(machine epsilon) a_i P a_i^T. x then has the least sum of squared violations in the box, each in
+/// units of what removing it costs, up to that factor.
+///
+/// Units are the host's: x in u, a x in v, P in u^2 per unit of cost. A multiplier is in cost per v, a weight in cost
+/// per v^2.
 ///
 /// Real time: no allocation, at most kMaxIterations changes of the active set.
 /// @tparam Size     dimension of x
@@ -54,7 +56,11 @@ class ActiveSetSolver {
   /// What Ok allows a row to be missed by, relative to |a| (|x| + |x_u|) + |bound|: 2e-13 in double, 1e-4 in float.
   static constexpr Scalar kTolerance = 1024 * std::numeric_limits<Scalar>::epsilon();
 
-  /// All arguments are finite but the bounds, which may be infinite; P is symmetric positive definite; x_min <= x_max.
+  /// All arguments are finite; only bounds may be infinite.
+  /// @param P             Q^-1, Size x Size, symmetric positive definite
+  /// @param x_u           the optimum without rows and box, Size x 1
+  /// @param rows          l_i <= a_i x <= u_i, in the order of the last solve, so that its active set is a good start
+  /// @param x_min, x_max  the box, Size x 1, x_min <= x_max
   /// @return Ok; Infeasible: the hard rows do not hold together, solution() violates them least; NotConverged:
   ///         kMaxIterations was reached or a row is missed by more than kTolerance, solution() is only known to lie in
   ///         the box
@@ -64,8 +70,8 @@ class ActiveSetSolver {
     given_ = nullptr;
     return run(x_u, rows, x_min, x_max);
   }
-  /// The same from a root B of P = B^T B, of full column rank: faster, and with small eigenvalues that the entries of P
-  /// would lose to rounding.
+  /// The same from a root B of P = B^T B, of full column rank. Keeps small eigenvalues that the entries of P would lose
+  /// to rounding.
   Status solve_from_root(const Root& B, const Vector& x_u, const Rows& rows, const Vector& x_min,
                          const Vector& x_max) noexcept {
     given_ = &B;
@@ -74,7 +80,6 @@ class ActiveSetSolver {
   /// Forgets the active set, so that the next solve starts cold, and the solution.
   void reset() noexcept {
     count_ = iterations_ = 0;
-    needs_root_ = false;
     multiplier_.fill(0);
     slack_.fill(0);
     x_.setZero();
@@ -95,8 +100,7 @@ class ActiveSetSolver {
   static constexpr int kMaxActive = MaxRows + Size;
   static constexpr Scalar kEpsilon = std::numeric_limits<Scalar>::epsilon();
   static constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
-  // A violation below this, relative to a x, is rounding. Half of what is promised: cutting x to the box takes the
-  // rest.
+  // A violation below this, relative to a x, is rounding. Half of kTolerance: cutting x to the box may take the rest.
   static constexpr Scalar kFeasible = kTolerance / 2;
   static constexpr Scalar kRounding = 8 * kEpsilon;  // what a solution is refined for
   static constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }

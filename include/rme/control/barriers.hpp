@@ -52,7 +52,7 @@ class BarrierPoles {
   Scalar first_, second_;
 };
 
-/// A barrier h(q) >= 0 at the present state: what a host's own barrier has to provide.
+/// A barrier h(q) >= 0 at the present state; a host may provide its own (docs/theory_control.md (C11)).
 template <typename Scalar, int Dofs>
 struct BarrierValue {
   Scalar h;                            ///< in any unit u; negative means violated
@@ -67,7 +67,7 @@ struct BarrierValue {
 /// @param poles    gains k_1, k_2
 /// @param rows     get one more
 /// @param weight   of a soft barrier; a miss of the row by s [u/s^2] costs weight * s^2
-/// @param error    of the acceleration that the row will be held for; e is the most that it can take off grad_h^T ddq
+/// @param error    of the predicted acceleration [rad/s^2]; e is the most that it can take off grad_h^T ddq
 /// @return see ConstraintRows::add; Infeasible: the gradient is zero, and no acceleration gives what the barrier asks
 template <typename Scalar, int Dofs, int MaxRows>
 Status add_barrier(const BarrierValue<Scalar, Dofs>& barrier, const JointVector<Scalar, Dofs>& dq,
@@ -133,24 +133,26 @@ struct JointLimitsConfig {
   Scalar period = Scalar(0);
 };
 
-/// The limits of all joints, positions and velocities, as one two-sided row on each joint's acceleration:
+/// The limits of all joints, positions and velocities, as one two-sided row on each joint's acceleration
+/// (docs/theory_control.md (C11), in sampled time (C13)):
 ///
 ///     -k_1 (q - q_min) - k_2 dq <= ddq <= k_1 (q_max - q) - k_2 dq,      -p (dq_max + dq) <= ddq <= p (dq_max - dq)
 ///
 /// The tighter bound of each side counts. Where the two pairs contradict each other, which takes a joint that is both
-/// too fast and next to its limit, the position limit wins. In sampled time p is (1 - e^-pT) / T, and each bound is
-/// moved inwards by the error of the prediction.
+/// too fast and next to its limit, the position limit wins. In sampled time p is (1 - e^-pT) / T. Each bound is moved
+/// inwards by the error of the prediction, that of a velocity by p dq_max at most: it then asks for ddq = -p dq, a
+/// standstill. An error beyond that may take a joint past its velocity limit, and Ok is returned all the same.
 template <typename Scalar, int Dofs>
 class JointLimits {
  public:
   /// @throws std::invalid_argument naming the field out of range
   explicit JointLimits(const JointLimitsConfig<Scalar, Dofs>& config);
 
-  /// Appends Dofs rows, joint 0 first.
+  /// Appends Dofs rows on ddq [rad/s^2], joint 0 first.
   /// @param q      joint position [rad]
   /// @param dq     joint velocity [rad/s]
   /// @param rows   get Dofs more
-  /// @param error  of the accelerations that the rows will be held for
+  /// @param error  of the predicted accelerations [rad/s^2]
   /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; CapacityExceeded: then none has been added.
   ///         Infeasible: the error leaves a joint no acceleration that is sure to keep both its position limits, and
   ///         its row asks for the middle of the two bounds; all rows have been added
@@ -197,8 +199,10 @@ Status JointLimits<Scalar, Dofs>::append(const JointVector<Scalar, Dofs>& q, con
       lower = upper = (lower + upper) / 2;
       all = Status::Infeasible;
     }
-    const Scalar slowest = -config_.velocity_pole * (config_.velocity_limit[j] + dq[j]) + error.below[j];
-    const Scalar fastest = config_.velocity_pole * (config_.velocity_limit[j] - dq[j]) - error.above[j];
+    // A bound that an error has turned round would drive the joint, to any velocity: it stops at standstill.
+    const Scalar stop = -config_.velocity_pole * dq[j], room = config_.velocity_pole * config_.velocity_limit[j];
+    const Scalar slowest = stop - std::max(room - error.below[j], Scalar(0));
+    const Scalar fastest = stop + std::max(room - error.above[j], Scalar(0));
     // lower <= upper always; each velocity bound is clamped into the position bounds, then they into each other.
     const Scalar highest = std::max(std::min(upper, fastest), lower);
     const Status status = rows.add_axis(j, std::min(std::max(lower, slowest), highest), highest, config_.weight);

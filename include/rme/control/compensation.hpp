@@ -23,8 +23,8 @@ JointVector<Scalar, Dofs> compensation_torque(const Payload<Scalar>& payload,
   return detail::scaled(Scalar(-1), detail::transposed_product(jacobian, wrench));
 }
 
-/// U = m g.(p + R r) [J] (docs/theory_control.md (C21)): the potential of which compensation_torque is minus the
-/// gradient by q, minus the payload's own.
+/// U = m g.(p + R r) [J] (docs/theory_control.md (C21)): compensation_torque is -dU/dq. U is minus the payload's own
+/// potential energy.
 /// @param payload   what is held
 /// @param position  p [m], of the end-effector origin, world axes, from a point in the middle of the workspace: what
 ///                  EnergyTank promises has the largest |U| in it
@@ -45,9 +45,10 @@ struct CompensationRampConfig {
   JointVector<Scalar, Dofs> torque_rate = JointVector<Scalar, Dofs>::Constant(Scalar(500));
 };
 
-/// Lets a compensation torque in so that no step between two ticks exceeds torque_rate * period in any joint, whatever
-/// the estimate and however it jumps. All joints move by the same fraction of their way: between two estimates at one
-/// pose the torque stays that of a payload between the two. A target that moves slower than the limit is met exactly.
+/// Limits the rate of the compensation torque: in a tick no joint's torque changes by more than torque_rate * period,
+/// however the estimate jumps. All joints move by the same fraction of their way, so that between two estimates at one
+/// pose the torque is that of a payload between the two. A target that moves slower than the limit is met exactly
+/// (docs/theory_control.md, "Compensation").
 template <typename Scalar, int Dofs>
 class CompensationRamp {
  public:

@@ -7,8 +7,9 @@
 
 namespace rme {
 
-/// Up to MaxRows two-sided rows `lower <= a x <= upper`, a bound being infinite where a side is free. Two sides in one
-/// row, since the two limits of a joint share their gradient and never hold together.
+/// Up to MaxRows two-sided rows `lower <= a x <= upper` (docs/theory_control.md (C1)), a bound being infinite where a
+/// side is free. One row has two sides, since both limits of a joint have the same gradient and are never active
+/// together.
 ///
 /// A row with a = 0 constrains nothing, and is refused where its bounds leave out zero. A row is hard, or soft with a
 /// weight w: then it may be missed by a slack s, s >= 0, that costs w s^2.

@@ -60,9 +60,8 @@ struct CpicInput {
 /// it. Rows come from barriers.hpp or the host, in the same order each tick, so that the last active set is a good
 /// first guess.
 ///
-/// Near singular poses N is damped (null_space.hpp): the torques that J is about to lose become cheap to use for the
-/// constraints, and N tau_0 may then disturb the hand a little, |J N| <= lambda / 2. J^T F_c needs no inverse, hence no
-/// damping.
+/// Near singular poses N is damped (null_space.hpp): torques whose wrench J is about to lose become cheap to use for the
+/// constraints, and N tau_0 may disturb the hand, |J N| <= lambda / 2. J^T F_c is never damped.
 ///
 /// Real time: no allocation, a bounded number of iterations.
 /// @tparam MaxRows  most rows in a tick

@@ -1,5 +1,5 @@
 #pragma once
-/// A bound on the energy that a torque without a proof of passivity may put into the arm.
+/// A bound on the energy that a torque that need not be passive may put into the arm.
 #include <algorithm>
 #include <cmath>
 #include <rme/control/detail/compensated_sum.hpp>
@@ -15,17 +15,16 @@ struct EnergyTankConfig {
   double capacity = 12;  ///< the most it holds [J], > 0: changes of 1.2 kg a metre away from the zero of the potential
   double initial = 12;   ///< what it starts with [J], 0 to capacity
   double reserve = 2;    ///< below this level the torque fades [J], > 0, at most capacity
-  /// What flows in by itself [W], >= 0. Objects that are put down elsewhere than picked up cost m g times the
-  /// difference in height, and so does, little by little, holding the torque for a tick: with none the tank runs out.
+  /// What flows in at all times [W], >= 0. An object that is put down higher than it was picked up costs m g times the
+  /// difference; holding the torque for a tick costs a little in each. Without a refill the tank runs out.
   double refill = 0;
 };
 
-/// Optional, for the compensation torque. While the estimate is constant, right or wrong, that torque is the gradient
-/// of a potential U(theta, q) = m g.(p + R r) (compensation_potential) and gives back on the way down what it gave on
-/// the way up; what can feed a motion is an estimate that changes while the arm moves, and a torque that is held while
-/// the arm moves on. The tank scales the torque and keeps the balance B of the work that the scaled torque does, which
-/// for a torque that is held from one update to the next is tau^T (q - q_last), exactly; its level E is the balance
-/// less what U will give back or take (docs/theory_control.md (C22)):
+/// Optional, for the compensation torque. While the estimate is constant, right or wrong, that torque is -dU/dq of the
+/// potential U(theta, q) = m g.(p + R r) (compensation_potential), and puts nothing into a closed motion. An estimate
+/// that changes while the arm moves can, and so can a torque that is held for a tick. The tank scales the torque. It
+/// keeps the balance B of the work that the scaled torque does, exactly tau^T (q - q_last) for one that was held since
+/// the last update. Its level E is B less the scaled U (docs/theory_control.md (C22)):
 ///
 ///     B <- B + refill period - tau^T (q - q_last),    E = B - share U <= capacity,
 ///     share = (B - min(U, 0)) / (reserve + max(U, 0)), within 0 and 1
@@ -36,10 +35,10 @@ struct EnergyTankConfig {
 ///     initial + refill t + max |U|
 ///
 /// since an empty hand, where max |U| is the largest potential that the estimates had: 12 J for 1.2 kg within a metre
-/// of the point from which p is counted. This takes that the unscaled torque does no more work than the reserve in one
-/// period: 2 kW at 1 kHz. Energy tanks: Ferraguti et al., ICRA 2013. E falls below zero, to -max |U| at worst, where
-/// the estimate of an object vanishes above the place where it appeared. The share is continuous in B and U; with an
-/// empty tank the payload is not carried, and the arm rests lower.
+/// of the point from which p is counted. The bound needs that the unscaled torque does no more work than the reserve in
+/// one period: 2 kW at 1 kHz. E can fall to -max |U|, where the estimate of an object vanishes above the place where it
+/// appeared. The share is continuous in B and U. With an empty tank the payload is not carried, and the arm sinks.
+/// Energy tanks: Ferraguti et al., ICRA 2013.
 template <typename Scalar, int Dofs>
 class EnergyTank {
  public:

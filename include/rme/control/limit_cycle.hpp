@@ -20,11 +20,10 @@ struct LimitCycleConfig {
 
 /// f(x) = w n x p - k (|p|^2 - r^2) / (|p|^2 + r^2) p - k (n.e) n,   e = x - c, p = e - (n.e) n
 ///
-/// docs/theory_control.md (C24).
-///
-/// The circle |p| = r in the plane is the stable limit cycle; f is smooth everywhere, the centre included. All but the
-/// turning is -grad V of V = k (|p|^2 / 2 - r^2 / 2 - r^2 log((|p|^2 + r^2) / (2 r^2))) + k (n.e)^2 / 2, zero on the
-/// cycle. The turning has no potential: it is what drives the arm round.
+/// [m/s] (docs/theory_control.md (C24)). The circle |p| = r in the plane is the stable limit cycle; f is smooth
+/// everywhere, the centre included. All but the first term is -grad V, with
+/// V = k (|p|^2 / 2 - r^2 / 2 - r^2 log((|p|^2 + r^2) / (2 r^2))) + k (n.e)^2 / 2, zero on the cycle. The first term
+/// turns, and has no potential.
 template <typename Scalar>
 class LimitCycle {
  public:
@@ -39,7 +38,7 @@ class LimitCycle {
     config_.normal.normalize();
   }
 
-  /// f at x [m], world axes.
+  /// f and V at x [m], world axes.
   Flow<Scalar> operator()(const Vector3<Scalar>& x) const noexcept {
     const Vector3<Scalar> e = x - config_.center;
     const Vector3<Scalar>& n = config_.normal;

@@ -30,7 +30,7 @@ class LinearAttractor {
     detail::require(config.max_speed > 0, "LinearAttractorConfig::max_speed", "> 0 m/s", config.max_speed);
   }
 
-  /// f at x [m], world axes.
+  /// f and V at x [m], world axes.
   Flow<Scalar> operator()(const Vector3<Scalar>& x) const noexcept {
     const Vector3<Scalar> e = x - config_.target;
     const Scalar k = config_.gain;
@@ -43,7 +43,7 @@ class LinearAttractor {
     return flow;
   }
 
-  /// Moves the target. That changes the potential at once: a passivity monitor has to be told (its reset()).
+  /// Moves the target [m], world axes. The potential jumps: call PassivityMonitor::reset() as well.
   /// @return Ok, or NonFiniteInput: the target stays
   Status set_target(const Vector3<Scalar>& target) noexcept {
     if (!target.allFinite()) return Status::NonFiniteInput;

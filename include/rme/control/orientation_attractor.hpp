@@ -15,10 +15,10 @@ struct OrientationAttractorConfig {
   Scalar gain = Scalar(2);                                                   ///< k > 0 [1/s]
 };
 
-/// omega = -k sin(theta) u (docs/theory_control.md (C25)) for the rotation (theta, u), world axes, that leads from the
-/// target to the present orientation. It is -grad V of V = k (1 - cos theta), and with (w, v) that rotation's
-/// quaternion it is -2 k w v: the same for q and -q, and smooth on all orientations, unlike every law that is strongest
-/// at 180 degrees. The price: beyond 90 degrees it grows weaker, and 180 degrees is an unstable equilibrium.
+/// omega = -k sin(theta) u [rad/s] (docs/theory_control.md (C25)) for the rotation (theta, u), world axes, that leads
+/// from the target to the present orientation. It is -grad V of V = k (1 - cos theta), and smooth for all orientations.
+/// In terms of that rotation's quaternion (w, v) it is -2 k w v, the same for q and -q. Beyond 90 degrees it grows
+/// weaker, and 180 degrees is an unstable equilibrium.
 template <typename Scalar>
 class OrientationAttractor {
  public:

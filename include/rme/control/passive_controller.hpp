@@ -1,5 +1,5 @@
 #pragma once
-/// The passive interaction controller: follows a dynamical system, gives way to whoever pushes.
+/// The passive interaction controller: a task force that follows a dynamical system and yields to pushes.
 #include <cmath>
 #include <rme/control/flow.hpp>
 #include <rme/core/require.hpp>
@@ -20,8 +20,11 @@ struct DirectionalDamping {
 /// D = lambda_2 I + (lambda_1 - lambda_2) f f^T / (|f|^2 + f_0^2) (docs/theory_control.md (C15)).
 ///
 /// For |f| >> f_0 it is V diag(lambda_1, lambda_2, lambda_2) V^T with the first axis of V along f [RME, Eq. 32]; the
-/// two equal eigenvalues make the other axes immaterial, so none has to be chosen. At f = 0 it is lambda_2 I. It is a
-/// smooth function of f, symmetric, with eigenvalues between lambda_1 and lambda_2.
+/// other two eigenvalues are equal, so that the other axes need not be chosen. At f = 0 it is lambda_2 I. It is a smooth
+/// function of f, symmetric, with eigenvalues between lambda_1 and lambda_2.
+/// @param f        [m/s] or [rad/s], world axes
+/// @param damping  lambda_1, lambda_2 [N s/m] or [N m s/rad], f_0 [m/s] or [rad/s]
+/// @return D, 3x3, world axes [N s/m] or [N m s/rad]
 template <typename Scalar>
 Matrix3<Scalar> damping_matrix(const Vector3<Scalar>& f, const DirectionalDamping<Scalar>& damping) noexcept {
   Matrix3<Scalar> D =
@@ -39,25 +42,26 @@ struct PassiveControllerConfig {
 
 /// F_c = lambda_1 f(x) - D(x) xdot (docs/theory_control.md (C16)), for position and orientation alike.
 ///
-/// The paper writes -D (xdot - f) [RME, Eq. 31]; its proof needs D f = lambda_1 f (Eq. 33), which holds exactly only
-/// while f has a direction. Written this way it holds always: with the storage function S of storage(), dS/dt = xdot^T
-/// F_ext - xdot^T D xdot + injected_power() without exception (docs/theory_control.md (C17)).
+/// The paper writes -D (xdot - f) [RME, Eq. 31]; its proof needs D f = lambda_1 f (Eq. 33), which with this D holds only
+/// for |f| >> f_0. Written as above the proof holds for all f: with S = 1/2 dq^T M dq + potential_energy(), and no torque
+/// beside J^T F_c and gravity's, dS/dt = xdot^T F_ext - dissipated_power() + injected_power()
+/// (docs/theory_control.md (C17)).
 template <typename Scalar>
 class PassiveController {
  public:
   /// @throws std::invalid_argument naming the field out of range
   explicit PassiveController(const PassiveControllerConfig<Scalar>& config = PassiveControllerConfig<Scalar>());
 
-  /// @param position     the flow of the translational system at the present position
-  /// @param orientation  the flow of the rotational system at the present orientation
-  /// @param twist        present velocity of the end effector
+  /// @param position     the flow of the translational system at the present position [m/s], world axes
+  /// @param orientation  the flow of the rotational system at the present orientation [rad/s], world axes
+  /// @param twist        present velocity of the end effector [m/s, rad/s], world axes
   /// @return Ok, or NonFiniteInput: nothing has changed
   Status update(const Flow<Scalar>& position, const Flow<Scalar>& orientation, const Twist<Scalar>& twist) noexcept;
 
-  const Wrench<Scalar>& wrench() const noexcept { return wrench_; }  ///< F_c
+  const Wrench<Scalar>& wrench() const noexcept { return wrench_; }  ///< F_c [N, N m], world axes
   /// lambda_1 V over both systems [J]: the potential part of the storage function [RME, Eq. 34].
   Scalar potential_energy() const noexcept { return potential_energy_; }
-  /// lambda_1 xdot^T (f + grad V) [W]: what the parts of f without a potential (a cycle's turning) put in.
+  /// lambda_1 xdot^T (f + grad V) [W]: power of the parts of f without a potential, as a cycle's turning.
   Scalar injected_power() const noexcept { return injected_power_; }
   /// xdot^T D xdot >= 0 [W]
   Scalar dissipated_power() const noexcept { return dissipated_power_; }

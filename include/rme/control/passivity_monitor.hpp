@@ -1,5 +1,5 @@
 #pragma once
-/// The proof of passivity as something that runs: stored energy against supplied energy, each tick.
+/// The energy balance of a controlled arm: what is stored against what was supplied, each tick.
 #include <cmath>
 #include <rme/control/detail/compensated_sum.hpp>
 #include <rme/core/plausible.hpp>
@@ -9,8 +9,10 @@
 
 namespace rme {
 
-/// 1/2 dq^T M dq [J]. For six joints it is the 1/2 xdot^T M_x xdot of [RME, Eq. 34]; a redundant arm also stores energy
-/// in motions that leave the hand where it is.
+/// 1/2 dq^T M dq [J], part of S in docs/theory_control.md (C17). For six joints it is the 1/2 xdot^T M_x xdot of
+/// [RME, Eq. 34]; a redundant arm also stores energy in motions that leave the hand where it is.
+/// @param mass_matrix  M, DofsxDofs [kg m^2]
+/// @param dq           joint velocity [rad/s]
 template <typename Scalar, int Dofs>
 Scalar kinetic_energy(const JointMatrix<Scalar, Dofs>& mass_matrix, const JointVector<Scalar, Dofs>& dq) noexcept {
   return dq.dot(mass_matrix * dq) / 2;
@@ -22,12 +24,12 @@ Scalar kinetic_energy(const JointMatrix<Scalar, Dofs>& mass_matrix, const JointV
 /// a tick (C18), which vanishes with the period.
 ///
 /// Supply enters as work or as power. A torque that was held since the last tick has done the work tau^T (q - q_last),
-/// exactly: update_with_work(). Power is integrated by the trapezoidal rule, with an error of the period's square where
-/// it is smooth, but of the period where its torque is held: the two differ by the hold. The sum is a compensated one:
-/// in float as well, hours of ticks lose nothing.
+/// exactly: update_with_work(). Power is integrated by the trapezoidal rule. Its error goes with the period's square
+/// where the power is smooth, and with the period where the torque is held (C19). Sums are compensated, so that float
+/// loses no small terms.
 ///
-/// What to count as supplied is the host's choice of port: the external wrench's power, xdot^T (F_ext + dF_mm); with
-/// PassiveController also its injected_power(), and dq^T of every torque beside J^T F_c: null space, constraint forces.
+/// The host chooses what counts as supplied: the power of the external wrench, xdot^T (F_ext + dF_mm); with
+/// PassiveController also its injected_power(), and dq^T tau of every torque beside J^T F_c: null space, constraints.
 template <typename Scalar>
 class PassivityMonitor {
  public:

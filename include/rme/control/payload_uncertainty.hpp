@@ -24,16 +24,17 @@ struct PayloadUncertaintyConfig {
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< [m/s^2], world axes
 };
 
-/// Turns a belief about the payload into what CPIC's prediction is to contain and what its rows have to allow for
+/// Turns a belief about the payload into a torque for CPIC's prediction and an error that its rows allow for
 /// (docs/theory_control.md (C14)). With tau_p(theta) the payload's static torque and A its derivative by theta at the
 /// mean,
 ///
 ///     mean torque  tau_p(mean)              into CpicInput::bias, with its sign turned
 ///     error_j      k sqrt(a_j Sigma a_j^T),  a_j = row j of M^-1 A
 ///
-/// and while it is likely that the hand is empty, or that the object is another one, all that lies between the mean and
-/// nothing, or between the mean and any object up to the rated one. A joint's acceleration then stays within the error
-/// with the probability of k deviations, less `likely` for each hypothesis that was left out.
+/// While the hand may be empty, the error also reaches from the mean to no payload. While the object may be another one,
+/// it reaches from the mean to any object up to the rated one. If the belief is right, and to first order, the payload's
+/// part of a joint's acceleration leaves the error with probability erfc(k / sqrt 2) at most, plus `likely` for each
+/// hypothesis left out.
 ///
 /// Optional: the published controller adds the compensation after CPIC and knows of no payload (Appendix B).
 template <typename Scalar, int Dofs>
@@ -56,7 +57,7 @@ class PayloadUncertainty {
                 const JointMatrix<Scalar, Dofs>& mass_matrix) noexcept;
 
   const Vector& torque() const noexcept { return torque_; }                         ///< tau_p(mean) [N m]
-  const AccelerationError<Scalar, Dofs>& error() const noexcept { return error_; }  ///< for the rows
+  const AccelerationError<Scalar, Dofs>& error() const noexcept { return error_; }  ///< for the rows [rad/s^2]
 
  private:
   PayloadUncertaintyConfig<Scalar> config_;

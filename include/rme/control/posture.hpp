@@ -1,5 +1,5 @@
 #pragma once
-/// Where a redundant arm would like its elbow to be.
+/// A spring and a damper at each joint, for the null space of a redundant arm.
 #include <cmath>
 #include <rme/core/require.hpp>
 #include <rme/core/types.hpp>
@@ -14,7 +14,7 @@ struct PostureConfig {
   Scalar damping = Scalar(2);                                          ///< d >= 0 [N m s/rad]
 };
 
-/// tau_0 = k (q_0 - q) - d dq: the torque of which CPIC uses the part N tau_0 that makes no wrench.
+/// tau_0 = k (q_0 - q) - d dq. CPIC uses the part of it that makes no wrench, N tau_0 (docs/theory_control.md (C5)).
 template <typename Scalar, int Dofs>
 class Posture {
  public:

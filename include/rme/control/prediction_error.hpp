@@ -13,7 +13,8 @@ namespace rme {
 ///
 ///     predicted - below <= ddq <= predicted + above      [rad/s^2], both >= 0
 ///
-/// What barriers.hpp takes off its rows: with it, they keep what they promise although the prediction is wrong.
+/// barriers.hpp moves the bounds of its rows inwards by it, so that they hold although the prediction is wrong
+/// (E in docs/theory_control.md (C13)).
 template <typename Scalar, int Dofs>
 struct AccelerationError {
   JointVector<Scalar, Dofs> below;  ///< [rad/s^2], >= 0
@@ -23,7 +24,8 @@ struct AccelerationError {
   /// Both in [rad/s^2], >= 0.
   AccelerationError(const JointVector<Scalar, Dofs>& below_, const JointVector<Scalar, Dofs>& above_) noexcept
       : below(below_), above(above_) {}
-  /// The most by which gradient . ddq may lie below what is predicted, >= 0.
+  /// The most by which gradient . ddq may lie below its prediction, >= 0.
+  /// @param gradient  grad_q h [u/rad], Dofs; the result is in u/s^2
   Scalar along(const JointVector<Scalar, Dofs>& gradient) const noexcept {
     return gradient.cwiseMax(Scalar(0)).dot(below) - gradient.cwiseMin(Scalar(0)).dot(above);
   }
@@ -39,9 +41,9 @@ struct PredictionErrorConfig {
 };
 
 /// Bounds the error of the next prediction by those just seen: (dq_k - dq_k-1) / T - predicted_k-1, the largest of each
-/// sign, forgotten exponentially, on top of what the host states. A push that grows is an error that lasts, and covered
-/// from its second tick on. A heuristic: what has never been seen is not bounded by it, so that a guarantee needs
-/// `stated`.
+/// sign, forgotten exponentially, plus what the host states. An error that lasts, as of a push, is covered from its
+/// second tick on. This is a heuristic: the first tick of a new error is not covered, so that a guarantee needs `stated`
+/// (docs/theory_control.md, "Sampled barriers").
 template <typename Scalar, int Dofs>
 class PredictionErrorWatch {
  public:
@@ -62,7 +64,8 @@ class PredictionErrorWatch {
     error_.below = error_.above = config.stated;
   }
 
-  /// Compares this tick's velocity with what was predicted, if predict() was called since the last one.
+  /// Compares this tick's velocity with what was predicted, if predict() was called since the last observe().
+  /// @param dq  joint velocity [rad/s]
   /// @return Ok, or NonFiniteInput: the bounds stay as they were, and the prediction is dropped
   Status observe(const Vector& dq) noexcept {
     const bool comparable = predicted_known_;
@@ -80,13 +83,13 @@ class PredictionErrorWatch {
     dq_ = dq;
     return Status::Ok;
   }
-  /// Notes the acceleration that the torque of this tick is to make, Cpic::acceleration().
+  /// Notes the acceleration that this tick's torque is to make [rad/s^2], Cpic::acceleration(); NaN or infinity: none.
   void predict(const Vector& ddq) noexcept {
     predicted_ = ddq;
     predicted_known_ = ddq.allFinite();
   }
 
-  /// The bound on the error of the next prediction.
+  /// The bound on the error of the next prediction [rad/s^2].
   const AccelerationError<Scalar, Dofs>& error() const noexcept { return error_; }
 
  private:

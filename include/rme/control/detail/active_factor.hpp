@@ -10,9 +10,9 @@ namespace rme::detail {
 /// With P = B^T B, each active normal n_k has the image g_k = B n_k, and a soft one its own axis beside it, of length
 /// sqrt(c_k). The columns [g_k; sqrt(c_k) e_k] = sum_l q_l R_lk are orthogonalised by Gram and Schmidt, a second time
 /// where the first leaves little, so that S = R^T D R, D = diag(|q_l|^2), with an error that grows with the root of S's
-/// condition only (docs/theory_control.md (C9)). The q_l keep their lengths and R has ones on its diagonal: no root has
-/// to be waited for. Every q_l has the part `top` in the space of g and the part `beside` on the axes of the soft rows
-/// among the first l.
+/// condition only (docs/theory_control.md (C9)). The q_l keep their lengths and R has ones on its diagonal, which spares
+/// a square root per column. Every q_l has the part `top` in the space of g and the part `beside` on the axes of the
+/// soft rows among the first l.
 /// @tparam Size      dimension of n
 /// @tparam Capacity  most columns
 template <typename Scalar, int Size, int Capacity>

@@ -132,7 +132,8 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::restore() noexcept {
   move(w);
 }
 
-/// x = x_u + B^T sum_k w_k q_k: multipliers of nearly parallel rows, which are large and cancel, are not in it.
+/// x = x_u + B^T sum_k w_k q_k (docs/theory_control.md (C9)). Multipliers do not enter: those of nearly parallel rows are
+/// large and cancel.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   x_ = *x_u_;
@@ -142,7 +143,8 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   if (!exact_) refine();
 }
 
-/// One step of iterative refinement on the active constraints. The correction goes to x: in a sum it would drown.
+/// One step of iterative refinement on the active constraints. The correction is added to x: added to w, it would be
+/// lost to rounding.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
   const Vector moved = x_ - *x_u_;
@@ -186,7 +188,7 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(Active& a) noexcept {
     const Scalar pivot = s.squared;
     const bool dependent = s.cancelled && std::sqrt(pivot) <= 4 * kEpsilon * noise(a, r);
     const Scalar full = dependent ? kInfinity : rise / pivot;
-    if (full < kInfinity && full <= blocked) {  // what the metric cannot see has no step either
+    if (full < kInfinity && full <= blocked) {  // a pivot may be so small that the step overflows
       store(a, s);
       ++iterations_;
       return true;
@@ -224,12 +226,14 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::most_violated(int& row, Scalar& sig
 }
 
 /// Whether the active constraints hold in x_, soft ones with their slack.
-/// @param exactly  as equalities
+/// @param exactly  as equalities. One whose multiplier rounding left at or below zero may lie inside its bound.
 template <typename Scalar, int Size, int MaxRows>
 bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance, bool exactly) const noexcept {
   for (int k = 0; k < count_; ++k) {
     const Active& a = active_[index(k)];
     const Scalar miss = a.bound - a.normal.dot(x_) - a.compliance * std::max(a.multiplier, Scalar(0));
+    // A single row mostly holds without the terms of |x|, and need not wait for that norm.
+    if (count_ == 1 && std::abs(miss) <= tolerance * std::abs(a.bound)) return true;
     if (!((exactly ? std::abs(miss) : miss) <= tolerance * (a.norm * reach_ + std::abs(a.bound)))) return false;
   }
   return true;

@@ -9,11 +9,11 @@
 
 namespace rme::detail {
 
-/// B = L^T with P = L L^T by Cholesky's method, and as many rows of zeros as Root has more. For a P whose smallest
-/// eigenvalues its own rounding has taken, pivots have a floor.
+/// B = L^T with P = L L^T by Cholesky's method, and rows of zeros below. Pivots have a floor of epsilon P_jj: rounding may
+/// have made a small eigenvalue of P zero or negative.
 template <typename Root, typename Scalar, int Size>
 void metric_root(const Eigen::Matrix<Scalar, Size, Size>& P, Root& B) noexcept {
-  // Columns leave one after the other. Nothing waits for a root, and as little as may be for the division.
+  // The rest is updated with the inverse of the pivot: no column waits for a square root.
   Eigen::Matrix<Scalar, Size, Size> rest = P;  // below the diagonal
   B.setZero();
   RME_UNROLL
