@@ -238,7 +238,7 @@ double print_table(const Options& options, const std::vector<Draw>& draws, const
   std::printf("Distance from the run without payload [mm], median / worst of %zu runs.\n\n", draws.size());
   MarkdownTable table(
       {"compensation", "payload", "peak after the attach", "3 s after it", "peak in the move", "peak after the drop"});
-  const std::array<const char*, 4> names = {"none", "estimated", "by who knows", "estimated"};
+  const std::array<const char*, 4> names = {"none", "estimated", "true payload", "estimated"};
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::vector<std::string> cells = {names[r], r < 3 ? text("%.2f kg", options.mass) : "nothing"};
     for (const auto& values : {rows[r].attach, rows[r].sagging, rows[r].moving, rows[r].dropped})
@@ -253,10 +253,10 @@ double print_table(const Options& options, const std::vector<Draw>& draws, const
 void print_drops(const std::vector<Draw>& draws, const std::vector<Course>& empty) {
   const std::vector<double> masses = {0.5, 1.0, 1.5, 2.0};
   std::printf(
-      "Drops, compensation estimated: peak distance after the drop [mm], and the time until it is below %.0f mm "
-      "for good [s], median / worst.\n\n",
+      "Drops, compensation estimated: largest distance after the drop, and the time until it stays below %.0f mm; "
+      "median / worst.\n\n",
       1e3 * kNear);
-  MarkdownTable table({"dropped", "at rest: peak", "back after", "in the move: peak", "back after"});
+  MarkdownTable table({"dropped", "at rest: peak [mm]", "back after [s]", "in the move: peak [mm]", "back after [s]"});
   std::size_t done = 0;
   for (const double mass : masses) {
     std::vector<std::string> cells = {text("%.1f kg", mass)};

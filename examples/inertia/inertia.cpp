@@ -128,7 +128,7 @@ int run(Arguments& arguments) {
   arguments.finish();
 
   std::printf("| turned by, at    | peak rad/s |");
-  for (const double t : kJudged) std::printf(" off after %2.0f s, std. |", t);
+  for (const double t : kJudged) std::printf(" error, std. at %2.0f s  |", t);
   std::printf("\n|------------------|-----------:|");
   for (std::size_t i = 0; i < kJudged.size(); ++i) std::printf("---------------------:|");
   std::printf("\n");

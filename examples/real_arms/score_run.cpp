@@ -161,8 +161,8 @@ int run(Arguments& arguments, const ArmRequest& request) {
   const Log<Dofs> log = read(file);
   if (header)
     std::printf(
-        "| run | by | mean error, 5 s on [kg] | after 10 s | at the end | mass at the end | 90 %% interval holds "
-        "| largest, 90 %% sure |\n|---|---|---:|---:|---:|---:|---:|---:|\n");
+        "| run | by | mean error from 5 s on [kg] | error at 10 s [kg] | error at the end [kg] | mass at the end [kg] "
+        "| 90 %% interval holds [%%] | largest mass, 90 %% sure [kg] |\n|---|---|---:|---:|---:|---:|---:|---:|\n");
   const std::string title = name.value_or(file.substr(file.rfind('/') + 1));
   const Samples<Dofs> samples = samples_of(log, settings.arm, settings.config);
   const LogBlocks blocks = blocks_of(log, samples, settings.arm);

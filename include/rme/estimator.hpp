@@ -26,8 +26,9 @@ namespace rme {
 ///     tau_command += estimator.compensation(jacobian, rotation);    // through a CompensationRamp
 ///     estimator.state().payload                                     // mass and centre of mass, with covariance
 ///
-/// Real time: no call but the constructor allocates or throws. A block's filters are spread over the ticks after it, so
-/// that update() is O(Dofs) on most ticks and runs at most four filters of 10 + 5 Dofs states on any, at 1 kHz.
+/// Real time: no call but the constructor allocates or throws. The filters of a block, of 10 + 5 Dofs unknowns each, run
+/// on the ticks after it: at 1 kHz at most four on one tick, below 400 Hz all fifteen. On all other ticks update() is
+/// O(Dofs).
 template <typename Scalar, int Dofs>
 class Estimator {
   static_assert(Dofs != Eigen::Dynamic, "Estimator: the number of joints has to be known at compile time");
@@ -44,15 +45,19 @@ class Estimator {
 
   /// Advances by one sample.
   /// @param sample  tau_ext, J, R and dq of this tick
-  /// @return Ok; NonFiniteInput or NotARotation: the estimator is then as it was, and the sample does not count
+  /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible, or NotARotation: the estimator is then as it
+  ///         was, and the sample does not count
   Status update(const Proprioception<Scalar, Dofs>& sample) noexcept;
   /// The current estimate, and what is going on.
   const EstimatorState<Scalar>& state() const noexcept { return state_; }
 
-  /// tau_comp = -c J^T w(payload) [N m], Dofs x 1, with c = m^2 / (m^2 + std^2) (docs/theory.md (T32)): zero for an
-  /// empty hand. If the payload's weight is suddenly missing in tau_ext, the torque is cut at once, before it is known
-  /// whether the object was dropped or lifted. For a pose that is not plausible (plausible.hpp), that of the last good
-  /// sample is used.
+  /// The joint torque that carries the payload, to be added to the command [N m], Dofs x 1 (docs/theory.md (T32)):
+  ///
+  ///     tau_comp = -share c J^T w(payload),   c = m^2 / (m^2 + std^2)
+  ///
+  /// Zero for an empty hand. If the payload's weight is suddenly missing in tau_ext, the removal guard reduces `share`
+  /// from 1 to 0 at once, before it is known whether the object was dropped or lifted (T33). For a pose that is not
+  /// plausible (plausible.hpp), that of the last good sample is used.
   /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
   /// @param rotation  R, end-effector axes to world axes
   Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept;
@@ -61,14 +66,15 @@ class Estimator {
   /// overturn each.
   void declare_empty() noexcept;
   /// This is in the hand.
-  /// @param payload  mass [kg] and centre of mass [m], end-effector axes; finite, covariance positive semidefinite
-  /// @return Ok; NonFiniteInput: then nothing is changed
+  /// @param payload  mass [kg], >= 0, and centre of mass [m], end-effector axes; covariance positive semidefinite
+  /// @return Ok; NonFiniteInput, also for a mass or a variance below 0: then nothing is changed
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept;
-  /// The payload changes now, since the gripper has closed or opened: for 0.3 s an exchange is as likely as all else.
+  /// The payload changes now, since the gripper has closed or opened: for 0.3 s, the hypothesis *exchanged* is as likely
+  /// beforehand as all others together.
   void trigger() noexcept { expected_ = kExpected; }
-  /// While true nothing is learned, and the estimate stays: for contact that the host knows about. Compensation is
-  /// still cut where the payload's weight is missing, since the object may have been dropped. When it ends, another
-  /// payload is as likely as the same one.
+  /// For contact that the host knows about. While `inhibited` is true, nothing is learned, and the estimate stays. The
+  /// removal guard goes on: the compensation is reduced if the payload's weight is missing, since the object may have
+  /// been dropped. inhibit(false) has the effect of trigger().
   void inhibit(bool inhibited) noexcept {
     if (inhibited_ && !inhibited) trigger();
     inhibited_ = inhibited;

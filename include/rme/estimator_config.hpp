@@ -15,14 +15,14 @@ namespace rme {
 template <typename Scalar, int Dofs>
 struct EstimatorConfig {
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
-  TorqueSign torque_sign = TorqueSign::External;         ///< of tau_ext
+  TorqueSign torque_sign = TorqueSign::External;         ///< of the tau_ext that the arm reports
   /// The heaviest payload that the arm is made for [kg], above 0 and at most 10,000. No larger mass is estimated, and
   /// the defaults for noise, offsets, friction, pushes and payloads scale with it.
   Scalar rated_payload = Scalar(3);
-  /// Bandwidth of the first-order filter that tau_ext comes from [rad/s]: the gain K of the arm's momentum observer, 1
-  /// to 100,000; 0 if the torque is unfiltered.
+  /// Bandwidth of the first-order filter through which tau_ext comes [rad/s]: the gain K of the arm's momentum observer,
+  /// 1 to 100,000; 0 if the torque is unfiltered. The filter is assumed to advance each millisecond.
   double observer_bandwidth = 50;
-  /// Kind of torque sensing, if it is known; otherwise the estimator finds out, which takes motion.
+  /// Kind of torque sensing, if it is known; otherwise the estimator finds out, for which the arm has to move.
   std::optional<Sensing> sensing = std::nullopt;
   /// Sizes of the joints' noise, offset and friction, where they are known better than ArmPrior::of(rated_payload).
   std::optional<ArmPrior<Scalar, Dofs>> arm = std::nullopt;

@@ -15,14 +15,14 @@ namespace rme {
 template <typename Scalar>
 struct EstimatorState {
   double time = 0;     ///< of the last sample
-  double updated = 0;  ///< samples up to this time are in the estimate: one block and its computation ago
+  double updated = 0;  ///< up to this time samples are in the estimate: earlier by one block and its computation
   /// Mass and centre of mass of all that is in the hand [kg, m, m, m], end-effector axes. While empty() holds, the
   /// centre of mass is zero, with the prior's standard deviations.
   PayloadGaussian<Scalar> payload;
   /// The ten inertial parameters (inertial_parameters.hpp) with their covariance, given that something is held.
   InertialGaussian<Scalar> inertial;
   PerHypothesis<Scalar> probability = {{Scalar(1)}};  ///< of each hypothesis, sum 1; an empty hand at first
-  /// How far to trust `payload`, 0 to 1: m^2 / (m^2 + std^2), and less where health is above 3.
+  /// How far to trust `payload`, 0 to 1: m^2 / (m^2 + std^2), divided by health / 3 while health is above 3.
   Scalar confidence = Scalar(0);
   /// Normalised innovation squared over the last second: 1 if the arm does what its model and this payload say, above
   /// 10 if not; 100 at most.
@@ -35,7 +35,7 @@ struct EstimatorState {
 
   /// Whether nothing is in the hand, as far as the torque can tell.
   bool empty() const noexcept { return probability[Hypothesis::Empty] > Scalar(0.5); }
-  /// Probability that tau_ext holds joint friction.
+  /// Probability that tau_ext contains joint friction.
   Scalar friction_shows() const noexcept { return Scalar(1) - sensing[static_cast<std::size_t>(Sensing::LinkSide)]; }
 };
 

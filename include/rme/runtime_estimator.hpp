@@ -35,8 +35,8 @@ struct EstimatorOfAny<Scalar, Fewest, std::index_sequence<More...>> {
 ///     estimator.update(tau_ext, jacobian, rotation, dq);
 ///     if (estimator.compensation(jacobian, rotation, torque) == Status::Ok) tau_command += torque;
 ///
-/// Real time: no call but the constructor allocates or throws. Vectors and matrices may lie anywhere and in any order
-/// (Eigen::Map, Eigen::Ref, blocks). For an expression that has to be evaluated first, Eigen allocates memory.
+/// Real time: no call but the constructor allocates or throws. Vectors and matrices may be anywhere in memory, in any
+/// storage order (Eigen::Map, Eigen::Ref, blocks). For an expression that has to be evaluated first, Eigen allocates.
 template <typename Scalar, int Fewest = 4, int Most = 8>
 class RuntimeEstimator {
   static_assert(1 <= Fewest && Fewest <= Most, "RuntimeEstimator: numbers of joints, from the fewest to the most");

@@ -160,7 +160,7 @@ void time_solver(int paths, bool from_root) {
   }
   const std::string what = std::string("solve") + (from_root ? "_from_root" : "") + ", " + std::to_string(Count) +
                            " rows, " + (sizeof(Scalar) == 4 ? "float" : "double");
-  print_head(("ActiveSetSolver::" + what + " beside the torque limits, warm").c_str());
+  print_head(("ActiveSetSolver::" + what + ", with torque limits, warm").c_str());
   print_by_active(what, by_active);
 }
 

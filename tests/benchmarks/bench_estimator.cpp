@@ -87,15 +87,15 @@ int main(int argc, char** argv) {
   benchmarks::print_head("Estimator, 7 joints, double: update() and compensation()");
   for (std::size_t s = 0; s < kSituations; ++s) {
     const std::string name = kNames[s];
-    std::size_t dearest = 0, cheapest = 0;
+    std::size_t slowest = 0, fastest = 0;
     for (std::size_t phase = 0; phase < kPhases; ++phase) {
       const double median = benchmarks::percentile(times[s].phase[phase], 0.5);
-      if (median > benchmarks::percentile(times[s].phase[dearest], 0.5)) dearest = phase;
-      if (median < benchmarks::percentile(times[s].phase[cheapest], 0.5)) cheapest = phase;
+      if (median > benchmarks::percentile(times[s].phase[slowest], 0.5)) slowest = phase;
+      if (median < benchmarks::percentile(times[s].phase[fastest], 0.5)) fastest = phase;
     }
     benchmarks::print_row("tick, mean over a block: " + name, times[s].mean);
-    benchmarks::print_row("cheapest kind of tick: " + name, times[s].phase[cheapest]);
-    benchmarks::print_row("dearest kind of tick: " + name, times[s].phase[dearest]);
+    benchmarks::print_row("fastest kind of tick: " + name, times[s].phase[fastest]);
+    benchmarks::print_row("slowest kind of tick: " + name, times[s].phase[slowest]);
   }
   std::printf("\nseed 401, %d arms\n", events);
 }

@@ -5,7 +5,7 @@
 // 7 joints: in C++, although it was published in Python. It is timed without the early stop as well.
 // PublishedPipeline does the same from sums, with rme's network; timed is its tick that estimates. The tracker's side
 // is all that it does in the 200 ms after the attach, which is as long as the pipeline collects before it computes; and
-// its dearest tick among these, of each event. Of the 200 ms before the attach, the ticks of both are timed as well.
+// its slowest tick among these, of each event. Of the 200 ms before the attach, the ticks of both are timed as well.
 //
 // A network is asked once in each event, its weights long out of the fastest caches: both networks are timed so (the
 // first pass, which counts in the published estimate) and once more at once. TorchScript's first 200 calls, in which it
@@ -92,7 +92,7 @@ Network::Window network_input(const Ticks& ticks, InputFrame frame) {
 }
 
 struct Times {
-  std::vector<double> tracker, dearest, tracker_before, pipeline_before, pipeline_tick;
+  std::vector<double> tracker, slowest, tracker_before, pipeline_before, pipeline_tick;
   std::vector<double> network, network_again, torch, torch_again, steps, all_steps, published, published_all_steps;
 };
 
@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
     Estimator<double, 7> tracker(HeldArm::kPeriod);
     PublishedPipeline<double, 7> pipeline(HeldArm::kPeriod, *network, {}, random());
     Ticks ticks;
-    double since_attach = 0, dearest = 0, tracker_before = 0, pipeline_before = 0;
+    double since_attach = 0, slowest = 0, tracker_before = 0, pipeline_before = 0;
     for (int tick = 0; tick < 3000 && pipeline.state().estimates == 0; ++tick) {
       if (tick == 1000) arm.hold(payload);
       const Tick& sample = arm.tick();
@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
       benchmarks::keep(torque);
       if (tick >= 1000 && tick < 1200) {
         since_attach += time;
-        dearest = std::max(dearest, time);
+        slowest = std::max(slowest, time);
       }
       const double estimating = benchmarks::time_of([&] {
         status = pipeline.update(sample);
@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
     benchmarks::rest();
     if (pipeline.state().estimates == 0) continue;
     times.tracker.push_back(since_attach);
-    times.dearest.push_back(dearest);
+    times.slowest.push_back(slowest);
     times.tracker_before.push_back(tracker_before);
     times.pipeline_before.push_back(pipeline_before);
 
@@ -198,7 +198,7 @@ int main(int argc, char** argv) {
   benchmarks::print_head("The published pipeline, in C++, on the same data, " RME_BENCHMARK_FLAGS);
   benchmarks::print_row("tracker: the 200 ticks before the attach, together", times.tracker_before);
   benchmarks::print_row("tracker: the 200 ticks after the attach, together", times.tracker);
-  benchmarks::print_row("tracker: the dearest of the 200 after the attach", times.dearest);
+  benchmarks::print_row("tracker: the slowest of the 200 after the attach", times.slowest);
   benchmarks::print_row("PublishedPipeline: the 200 before the attach, together", times.pipeline_before);
   benchmarks::print_row("PublishedPipeline: the tick that estimates", times.pipeline_tick);
   benchmarks::print_row("rme: network with its input, first pass", times.network);

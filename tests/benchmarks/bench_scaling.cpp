@@ -51,7 +51,7 @@ class RestingArm {
 };
 
 struct Times {
-  std::vector<double> mean, dearest;  // over the ticks of a block [us]
+  std::vector<double> mean, slowest;  // over the ticks of a block [us]
 };
 
 /// Half a second with an empty hand, half a second with a payload, and as long without it again.
@@ -75,7 +75,7 @@ void live(std::mt19937_64& random, Times& times) {
     most = std::max(most, time);
     if (tick % 20 != 0) continue;
     times.mean.push_back(sum / 20);
-    times.dearest.push_back(most);
+    times.slowest.push_back(most);
     sum = most = 0;
   }
   benchmarks::rest();
@@ -99,6 +99,6 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < std::size(joints); ++i)
     benchmarks::print_row("tick, mean over a block: " + std::to_string(joints[i]) + " joints", times[i].mean);
   for (std::size_t i = 0; i < std::size(joints); ++i)
-    benchmarks::print_row("dearest tick of a block: " + std::to_string(joints[i]) + " joints", times[i].dearest);
+    benchmarks::print_row("slowest tick of a block: " + std::to_string(joints[i]) + " joints", times[i].slowest);
   std::printf("\nseed 402, %d arms\n", arms);
 }

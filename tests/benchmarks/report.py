@@ -181,7 +181,7 @@ def draw(benchmarks, path):
     figure, axes = plt.subplots(1, 3, figsize=(10, 3.2), constrained_layout=True)
     panels = [
         ("bench_scaling", r"tick, mean over a block: (\d+) joints", "joints", "estimator, mean tick [µs]"),
-        ("bench_scaling", r"dearest tick of a block: (\d+) joints", "joints", "estimator, dearest tick [µs]"),
+        ("bench_scaling", r"slowest tick of a block: (\d+) joints", "joints", "estimator, slowest tick [µs]"),
         ("bench_cpic", r"(\d+) rows", "constraint rows", "CPIC [µs]"),
     ]
     for axis, (program, pattern, label, unit) in zip(axes, panels):
@@ -205,19 +205,19 @@ def comparison(benchmarks, seconds):
     means = {name: times[0] for name, times in ticks.items() if name.startswith("tick, mean over a block")}
     for name, median in means.items():
         add(name, f"{median:.2f}", " µs", "≤ 1 µs", median <= 1, command)
-    dearest = max((times[0], name) for name, times in ticks.items() if name.startswith("dearest kind of tick"))
-    add(f"{dearest[1]}, median", f"{dearest[0]:.1f}", " µs", "≤ 15 µs", dearest[0] <= 15, command)
+    slowest = max((times[0], name) for name, times in ticks.items() if name.startswith("slowest kind of tick"))
+    add(f"{slowest[1]}, median", f"{slowest[0]:.1f}", " µs", "≤ 15 µs", slowest[0] <= 15, command)
     for run, blas in published_runs(benchmarks)[:1]:
-        tick = benchmarks.median(run, "tracker: the dearest of the 200 after the attach")
+        tick = benchmarks.median(run, "tracker: the slowest of the 200 after the attach")
         estimate = benchmarks.median(run, "published estimate, early stop")
         if tick and estimate:
-            add(f"published estimate with its early stop, {blas}, over the dearest tick of the 200 after the attach",
+            add(f"published estimate with its early stop, {blas}, divided by the slowest tick of the 200 after the attach",
                 f"{estimate / tick:.0f}", "", "≥ 100", estimate >= 100 * tick, benchmarks.commands[run])
     cpic = benchmarks.median("bench_cpic", "Cpic::update, all")
     add("CPIC with 14 joint limits and the torque limits, median", f"{cpic:.2f}", " µs", "≤ 1.1 µs", cpic <= 1.1,
         benchmarks.commands["bench_cpic"])
     eigen, rme = seconds["`#include <Eigen/Dense>`"], seconds["`#include <rme/rme.hpp>`"]
-    add("compile time of `<rme/rme.hpp>` over `<Eigen/Dense>`", f"{rme / eigen:.2f}", "", "≤ 1.5", rme <= 1.5 * eigen,
+    add("compile time of `<rme/rme.hpp>`, divided by that of `<Eigen/Dense>`", f"{rme / eigen:.2f}", "", "≤ 1.5", rme <= 1.5 * eigen,
         "`g++`, as below")
     estimator = seconds["one `Estimator<double, 7>`"]
     add("compile time of one `Estimator<double, 7>`", f"{estimator:.1f}", " s", "≤ 6 s", estimator <= 6,
@@ -242,26 +242,26 @@ def alternatives(benchmarks):
     for run, blas in published_runs(benchmarks):
         add("network in float, with its input, first pass", f"TorchScript in C++, one thread, {blas}", run,
             "rme: network with its input, first pass", "TorchScript: network with its input, first pass")
-        add("the same at once again", f"TorchScript in C++, one thread, {blas}", run,
+        add("the same network, again", f"TorchScript in C++, one thread, {blas}", run,
             "rme: network with its input, again", "TorchScript: network with its input, again")
     for run, blas in published_runs(benchmarks)[:1]:
         name = "published estimate" if blas else "published estimate without network"
         for stop, how in (("early stop", "with its early stop, as published"), ("all steps", "all of 2,500 steps")):
             other = f"one published estimate in C++: {f'TorchScript, {blas}' if blas else 'no network'}; " \
                     f"stochastic VI over all residuals, {how}"
-            add("tracker, all of the 200 ms after an attach", other, run,
+            add("tracker, the 200 ticks after an attach together", other, run,
                 "tracker: the 200 ticks after the attach, together", f"{name}, {stop}")
-            add("tracker, the dearest tick of the 200 ms after an attach", other, run,
-                "tracker: the dearest of the 200 after the attach", f"{name}, {stop}")
+            add("tracker, the slowest of these ticks", other, run,
+                "tracker: the slowest of the 200 after the attach", f"{name}, {stop}")
             add("PublishedPipeline, the tick that estimates", other, run,
                 "PublishedPipeline: the tick that estimates", f"{name}, {stop}")
     for run, _ in published_runs(benchmarks)[:1]:
-        add("tracker, 200 ms in which nothing happens", "PublishedPipeline, which only watches", run,
+        add("tracker, 200 ticks in which nothing happens together", "PublishedPipeline, which only watches", run,
             "tracker: the 200 ticks before the attach, together", "PublishedPipeline: the 200 before the attach, together")
-        add("tracker, all of the 200 ms after an attach", "PublishedPipeline, the tick that estimates", run,
+        add("tracker, the 200 ticks after an attach together", "PublishedPipeline, the tick that estimates", run,
             "tracker: the 200 ticks after the attach, together", "PublishedPipeline: the tick that estimates")
     for source in ("from the sums", "from the likelihood"):
-        add(f"closed-form VI, {source}", "rme's stochastic VI, published settings, the same", "bench_inference",
+        add(f"closed-form VI, {source}", "rme's stochastic VI with the published settings, from the same", "bench_inference",
             f"infer: full covariance, {source}", f"infer: stochastic VI as published, {source}")
     for active in ("no active row", "1 active row", "2 or 3 active rows", "4 or more active rows"):
         for peer, name in (("quadprog", "quadprog, Fortran from R's package"), ("NLopt SLSQP", "NLopt's SLSQP")):
@@ -279,7 +279,8 @@ def microseconds(time):
 
 def ratio_table(rows, faster):
     """Rows of alternatives() as a table: those in which the other one is slower, or those in which it is faster."""
-    lines = [f"| rme | | instead | | times {'faster' if faster else 'slower'} | made by |", "|---|---:|---|---:|---:|---|"]
+    lines = [f"| rme | time | alternative | time | times {'faster' if faster else 'slower'} | measured by |",
+             "|---|---:|---|---:|---:|---|"]
     for what, ours, other, theirs, command in rows:
         if (theirs < ours) == faster:
             ratio = ours / theirs if faster else theirs / ours
@@ -316,32 +317,34 @@ def main():
     other_rows = alternatives(benchmarks)
     text = f"""# Performance
 
-Written by `bash tests/benchmarks/run.sh`; run it on your own machine, and compare ratios rather than microseconds.
+This page is written by `bash tests/benchmarks/run.sh`. Run it on your own machine, and compare ratios rather than microseconds.
 
 {machine(build)}. {' '.join(FLAGS)}, unless a row says otherwise. One thread{', at real-time priority' if benchmarks.prefix else ''}; the machine is shared, and virtual.
-Between two ticks of the estimator the caches see a tick of a simulation.
+Between two ticks of the estimator a tick of a simulation runs, which uses the same caches.
 
-Every row names the program that makes it, of `build/tests/benchmarks`; "All measurements" has what each program prints.
+Every row names the program in `build/tests/benchmarks` that measures it. The times in the first tables are medians. "All measurements"
+has what each program prints: the median and the times that 99 % and 99.9 % of the calls do not exceed.
 `panda.pt` is made by `python3 tests/benchmarks/trace.py examples/models/panda.json panda.pt`.
 
 ## Against the targets
 
-| what | measured | target | met | made by |
+| what | measured | target | target met | measured by |
 |---|---:|---:|---|---|
 {chr(10).join(target_rows)}
 
-A tick is `update()` and `compensation()`. The work that a block of 20 ticks makes is spread over the ticks after it: the
-dearest kind of tick is the one of the 20 whose median is highest. What bounds each call: [real_time.md](real_time.md).
+A tick is `update()` and `compensation()`. The work for a block of 20 ticks is spread over the ticks after it. The slowest
+kind of tick is the one of the 20 with the highest median, the fastest kind the one with the lowest. The upper bound of each call's
+work: [real_time.md](real_time.md).
 
-## Against what one would use instead
+## Alternatives that are slower than rme
 
 {ratio_table(other_rows, faster=False)}
 
-A published estimate is made once in an event: its network runs with other things in the caches (first pass), and that pass
-counts. TorchScript's first 200 calls, in which it optimises itself, do not count. It links to whichever BLAS the system
-has: Debian's default is the reference BLAS, OpenBLAS is the package libopenblas0.
+A published estimate is made once in an event, when the caches contain other data. So the first pass of its network counts; "again" is
+a second pass right after it. TorchScript's first 200 calls, in which it optimises itself, do not count. TorchScript links to whichever
+BLAS the system has: Debian's default is the reference BLAS, OpenBLAS is the package libopenblas0.
 
-## Who is faster than rme, and where
+## Alternatives that are faster than rme
 
 {ratio_table(other_rows, faster=True)}
 
@@ -349,9 +352,9 @@ has: Debian's default is the reference BLAS, OpenBLAS is the package libopenblas
 
 ![Time by joints and constraint rows](images/performance_scaling.png)
 
-## What a build pays
+## Compile time and code size
 
-| | |
+| what | measured |
 |---|---:|
 {chr(10).join(f"| compiling {name} alone | {value:.2f} s |" for name, value in seconds.items())}
 {chr(10).join(f"| object code of {name} | {value / 1024:.0f} KiB |" for name, value in sizes.items())}

@@ -245,7 +245,7 @@ bool print(const std::vector<Scored>& scored) {
   double across = 0;
   for (const Scored& s : scored) across += s.across / static_cast<double>(scored.size());
   const auto [least, most] = expected_counts(scored.size());
-  std::printf("centre of mass across gravity: %.2f mm off on average\n", 1e3 * across);
+  std::printf("centre of mass across gravity: mean error %.2f mm\n", 1e3 * across);
   std::printf("half width: of the 90 %% interval; ranks of an honest posterior: %.0f to %.0f in 99 %% of cases\n",
               least, most);
   return honest;

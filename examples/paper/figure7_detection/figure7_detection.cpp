@@ -123,8 +123,8 @@ int run(Arguments& arguments) {
 
   CsvFile csv(setup.output, "detection.csv",
               "scenario,t,norm,rapid_change,stabilised,detected,published_mass,mass,true_mass");
-  MarkdownTable table({"event", "Algorithm 1 detects", "published pipeline estimates", "wrong in the end [kg]",
-                       "tracker notices", "calls a payload found", "calls it a push", "wrong in the end [kg]"});
+  MarkdownTable table({"event", "Algorithm 1 detects", "published pipeline estimates", "its error in the end [kg]",
+                       "tracker notices", "reports a changed payload", "reports a push", "its error in the end [kg]"});
   bool good = true;
   std::size_t number = 0;
   for (const Scenario& scenario : scenarios()) {
@@ -145,7 +145,7 @@ int run(Arguments& arguments) {
                text("%.3f", published.worst), often(tracker.noticed, trials), often(tracker.estimates, trials),
                text("%zu of %zu", pushes, trials), text("%.3f", tracker.worst)});
   }
-  std::printf("%s, 1.1 kg, %zu trials each, seed %llu; median times since the event, worst errors of the mass.\n\n",
+  std::printf("%s, 1.1 kg, %zu trials each, seed %llu; median times since the event, largest errors of the mass.\n\n",
               setup.name().c_str(), trials, static_cast<unsigned long long>(setup.seed));
   table.print();
   return good ? 0 : 1;

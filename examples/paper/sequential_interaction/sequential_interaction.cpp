@@ -225,7 +225,7 @@ struct Summary {
 
 void print_run(const std::array<Outcome, kMethods.size()>& runs, const std::vector<Change>& script) {
   MarkdownTable table({"change", "truth [kg]", "published pipeline [kg]", "after [s]", "tracker ± std. dev. [kg]",
-                       "after [s]", "position error: alone [mm]", "published pipeline", "tracker"});
+                       "after [s]", "position error: no compensation [mm]", "published pipeline [mm]", "tracker [mm]"});
   const auto after = [](const std::optional<double>& t) { return t ? text("%.2f", *t) : text("never"); };
   for (std::size_t i = 0; i < script.size(); ++i) {
     const Finding &alone = runs[0].findings[i], &published = runs[1].findings[i], &tracker = runs[2].findings[i];
@@ -281,7 +281,7 @@ int run(Arguments& arguments) {
   number("least distance to a joint limit, nobody pushing [mrad]", true, &Summary::resting);
   number("least distance to a joint limit, from the push on [mrad]", true, &Summary::pushed);
   number("most work of a push on the arm [mJ]", true, &Summary::work);
-  number("largest rise of stored - supplied energy then [mJ]", true, &Summary::gain);
+  number("largest rise of stored - supplied energy in a push [mJ]", true, &Summary::gain);
   summary.print();
   const Summary& tracker = all[2];
   const bool kept = std::min(tracker.resting, tracker.pushed) >= 0 && (setup.friction || tracker.worst <= kTarget);

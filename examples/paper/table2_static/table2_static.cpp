@@ -142,12 +142,12 @@ int run(Arguments& arguments) {
   }
 
   std::printf(
-      "%s, %zu trials of each payload, seed %llu; mass, then centre of mass x, y, z in flange axes. The last three "
-      "columns\n"
-      "%.0f s after the attach.\n\n",
+      "%s, %zu trials of each payload, seed %llu. Cells: mass [kg]; centre of mass x, y, z in flange axes [mm].\n"
+      "The last three columns are mean ± standard deviation of the estimates %.0f s after the attach.\n\n",
       setup.name().c_str(), trials, static_cast<unsigned long long>(setup.seed), kJudged);
   table.print();
-  MarkdownTable summary({"mean absolute error", "mass [kg]", "x [mm]", "y [mm]", "z [mm]", "90 % intervals that hold"});
+  MarkdownTable summary(
+      {"mean absolute error", "mass [kg]", "x [mm]", "y [mm]", "z [mm]", "90 % intervals hold m, x, y, z in"});
   const auto row = [&](const std::string& what, const Vector4d& e, const std::string& held) {
     summary.row(
         {what, text("%.4f", e[0]), text("%.1f", 1e3 * e[1]), text("%.1f", 1e3 * e[2]), text("%.1f", 1e3 * e[3]), held});

@@ -118,7 +118,7 @@ void run_trial(const Setup& setup, const DataSet& set, std::uint64_t number, Err
 }
 
 void print(const char* head, const std::array<Vector4d, 4>& values) {
-  MarkdownTable table({head, "mass [1e-3 kg²]", "x [1e-3 m²]", "y", "z"});
+  MarkdownTable table({head, "mass [1e-3 kg²]", "x [1e-3 m²]", "y [1e-3 m²]", "z [1e-3 m²]"});
   for (std::size_t i = 0; i < kIntervals.size(); ++i) {
     std::vector<std::string> cells = {text("%.0f ms", 1e3 * kIntervals[i])};
     for (int k = 0; k < 4; ++k) cells.push_back(text("%.4f", values[i][k]));
@@ -155,7 +155,7 @@ int run(Arguments& arguments) {
   print("tracker, since the attach", means(errors.tracker));
   print("tracker told of the sensing", means(errors.told));
   std::printf(
-      "Estimates of the pipeline: %zu, %zu, %zu, %zu of %zu payloads. The tracker knew of %zu of them after %.0f ms.\n",
+      "The pipeline estimated %zu, %zu, %zu, %zu of %zu payloads. The tracker knew of %zu of them after %.0f ms.\n",
       errors.first[0].count, errors.first[1].count, errors.first[2].count, errors.first[3].count, sets, errors.known,
       1e3 * kIntervals[3]);
   const Vector4d ratio = kPublished[2].cwiseQuotient(errors.told[2].mean());

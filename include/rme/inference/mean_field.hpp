@@ -14,7 +14,7 @@
 namespace rme {
 
 /// Selects the mean-field family, which is the published one: a diagonal Gaussian. Mass and centre of mass are
-/// correlated, so its intervals are too short; the full covariance costs no more.
+/// correlated, so its intervals are too narrow; the full covariance costs no more.
 struct MeanFieldConfig {
   int max_iterations = 50;  ///< bound on the work; about 6 are needed
   double tolerance = 1e-4;  ///< stop when a step is below this many posterior standard deviations
@@ -26,8 +26,9 @@ struct MeanFieldConfig {
 ///
 ///     1 / v_i = -E_q[hess log p]_ii
 ///
-/// So has each mean, given the others; but mass and centre of mass are correlated, and updated in turn they creep. So
-/// the means take a Newton step together, halved until the ELBO does not fall; if none helps they are updated in turn.
+/// Each mean has one as well, given the others. But mass and centre of mass are correlated: updated in turn, they need
+/// many sweeps. So the means take a Newton step together, halved until the ELBO does not fall. If no such step is found,
+/// they are updated in turn.
 /// Real time: at most max_iterations sweeps with at most 20 halvings each, all 4x4, no allocation.
 /// @param likelihood   of the window
 /// @param prior        over (m, r), covariance positive definite

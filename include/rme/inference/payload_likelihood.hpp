@@ -42,8 +42,8 @@ struct PayloadLikelihood {
     return Scalar(-0.5) * (yy - 2 * m * (ya + yB.dot(r)) + m * m * (aa + 2 * aB.dot(r) + r.dot(BB * r)));
   }
 
-  /// L(theta) - L(m = 0): how much better a payload explains the window than an empty hand. yy cancels, in which the
-  /// rest would be lost to rounding.
+  /// L(theta) - L(m = 0): how much better a payload explains the window than an empty hand. The term yy cancels; it is
+  /// so large that the others would be lost to rounding.
   /// @param theta          (m [kg], r [m]), 4x1
   /// @param[out] gradient  with respect to theta, 4x1
   Scalar log_likelihood_ratio(const Vector4<Scalar>& theta, Vector4<Scalar>& gradient) const noexcept {

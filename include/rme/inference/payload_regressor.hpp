@@ -1,5 +1,5 @@
 #pragma once
-/// The payload model as a regression: the joint torque of a payload is m (a + B r + Q r2).
+/// The payload model as a regression: the joint torque of a payload is m (a + B r + Q p(r)), p(r) the products of r.
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/types.hpp>

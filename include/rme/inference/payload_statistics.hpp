@@ -34,8 +34,8 @@ struct PayloadObservation {
 };
 
 /// Sums over a window, per joint: the Gram matrix of z = (y, a, B_x, B_y, B_z, 1, -direction, -velocity). They do not
-/// depend on the noise level or on the priors of offset and friction, which are needed only afterwards. Sums of two
-/// windows can be added. O(Dofs) per tick, for any window. The model is linear in (m, m r) here: exact at rest.
+/// depend on the noise level or on the priors of offset and friction, which are needed only for an inference. Sums of
+/// two windows can be added. O(Dofs) per tick, for any window. The model is linear in (m, m r) here: exact at rest.
 template <typename Scalar, int Dofs>
 class PayloadStatistics {
  public:
@@ -152,7 +152,7 @@ class PayloadStatistics {
   /// @param precision  per joint and sample [1/(N m)^2], > 0
   /// @param nuisance   beta ~ N(mu, Lambda)
   /// @param out        as it was unless the status is Ok
-  /// @return Ok, or NotPositiveDefinite for a nuisance covariance that is not; then the likelihood is as it was
+  /// @return Ok, or NotPositiveDefinite: the covariance of `nuisance`
   Status likelihood(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
                     PayloadLikelihood<Scalar>& out) const noexcept {
     Marginals joints;

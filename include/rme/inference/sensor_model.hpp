@@ -54,8 +54,8 @@ struct SensorModel {
 
   /// Prior of the nuisances for the next event, given their posterior over a quiet window with an empty hand. The
   /// sensor's offset stays the same over the event, and stiction does not, but the quiet window shows only their sum:
-  /// the share rho = offset^2 / (offset^2 + stiction^2) of its mean is kept (docs/theory.md (T38)), and the variance
-  /// grows back accordingly. Friction coefficients stay.
+  /// the share rho = offset^2 / (offset^2 + stiction^2) of its mean is kept (docs/theory.md (T38)), and the variance is
+  /// increased accordingly. Friction coefficients stay.
   NuisanceGaussian<Scalar, Dofs> after_event(const NuisanceGaussian<Scalar, Dofs>& baseline) const noexcept;
 
  private:

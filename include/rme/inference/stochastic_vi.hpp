@@ -13,7 +13,7 @@
 namespace rme {
 
 /// Selects the published solver; the defaults are the published settings. One learning rate serves kg, m and logarithms
-/// of standard deviations: with 0.025 the centre of mass jitters by about as much as its prior is wide.
+/// of standard deviations: with 0.025, the centre of mass jitters by about its prior's standard deviation.
 struct StochasticViConfig {
   double learning_rate = 0.025;  ///< of Adam, > 0
   double gradient_norm = 1;      ///< gradients are clipped to this norm, > 0; finite values bias the optimum
@@ -21,7 +21,7 @@ struct StochasticViConfig {
   int first_check = 700;         ///< steps before the first check for convergence
   int check_interval = 10;       ///< steps between two checks, > 0
   double small_change = 0.04;    ///< norm of the change of all eight parameters between two checks that counts as small
-  int small_changes = 2;         ///< the run ends after so many small changes in a row
+  int small_changes = 2;         ///< the run ends after this many small changes in a row
   /// Where it starts, about the prior's mean [kg, m, m, m], each > 0.
   std::array<double, 4> initial_deviation = {1, 0.05, 0.05, 0.1};
   int evidence_draws = 100;  ///< over which the reported ELBO is averaged, > 0

@@ -23,8 +23,8 @@ class ExpectedLogJoint {
                    const Matrix4<Scalar>& prior_precision) noexcept
       : l_(likelihood), prior_mean_(prior_mean), prior_precision_(prior_precision) {}
 
-  /// E_q[log p(y, theta)] under q = N(mu, Sigma), up to a constant: without yy, in which the rest would be lost to
-  /// rounding.
+  /// E_q[log p(y, theta)] under q = N(mu, Sigma), up to a constant: without the term yy, which is so large that the
+  /// others would be lost to rounding.
   Scalar value(const Vector4<Scalar>& mu, const Matrix4<Scalar>& Sigma) const noexcept {
     const Moments q(mu, Sigma);
     const Scalar m2_rQr =
@@ -83,8 +83,8 @@ class ExpectedLogJoint {
   Matrix4<Scalar> prior_precision_;
 };
 
-/// Selects the Gaussian with full covariance, which is the default: closed form, with the correlation of mass and
-/// centre of mass.
+/// Selects the Gaussian with full covariance, which is the default: in closed form, and with the correlation of mass
+/// and centre of mass.
 struct VariationalInferenceConfig {
   int max_iterations = 50;  ///< bound on the work; about 8 are needed
   double tolerance = 1e-4;  ///< stop when a step is below this many posterior standard deviations
@@ -100,8 +100,8 @@ struct VariationalInferenceConfig {
 /// @param prior        over (m, r), covariance positive definite
 /// @param[out] result  the best iterate; as it was if the status is NonFiniteInput or NotPositiveDefinite
 /// @param config       bounds on the work
-/// @param start        a mean to start from, such as that of nearly the same data, which saves steps; if null, the
-///                     prior's centre of mass with the mass that fits best there. It decides the sign of q's mass
+/// @param start        a mean to start from; one from nearly the same data saves steps. If null, the prior's centre of
+///                     mass with the mass that fits best there. The iteration ends at a mass of the start's sign
 /// @return Ok; NotConverged (result holds the best iterate); NonFiniteInput; NotPositiveDefinite (prior's covariance)
 template <typename Scalar>
 Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,

@@ -14,7 +14,7 @@
 
 namespace rme {
 
-/// The contents of a weights file. As large as its weights.
+/// The contents of a weights file. As large as its weights, 213 KB in float: not on a small stack.
 template <typename Scalar, typename Architecture = PublishedArchitecture>
 struct MismatchModel {
   std::string robot;                                     ///< the arm it was trained for, e.g. "Franka Emika Panda"

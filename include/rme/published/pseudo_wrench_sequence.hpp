@@ -8,8 +8,8 @@
 
 namespace rme {
 
-/// M uniformly spaced pseudo-wrenches out of N samples (paper, Section 4.1 and Table 4): the newest of each of M equal
-/// parts, as in training; the paper does not say which.
+/// M uniformly spaced pseudo-wrenches out of N samples (paper, Section 4.1 and Table 4). The window is divided into M
+/// equal parts, of which the newest sample is taken, as in training; the paper does not say which.
 /// @param count    N, samples in the window
 /// @param at       callable (int i) -> Proprioception<Scalar, Dofs>, noexcept, i from 0 (the oldest) to count - 1
 /// @param damping  lambda of pseudo_wrench(), > 0; the paper's value is 1e-2

@@ -40,9 +40,9 @@ namespace rme {
 /// as its beginning is within them: usually twice. A sharp change may be detected before the means move; its first
 /// estimate then includes the transient. While samples are collected the detector is updated, and its result ignored.
 ///
-/// The inference amplifies rounding errors: its steps are as long as the prior is wide, so that a change of one part in
-/// 10^15 of the torque may move the estimate by centimetres. Compilers that round differently give different estimates
-/// from the same seed.
+/// The inference amplifies rounding errors: its steps are about as long as the prior's standard deviations. So a change
+/// of the torque by one part in 10^15 may move the estimate by centimetres. Compilers that round differently give
+/// different estimates from the same seed.
 ///
 /// The tick that ends a collection runs the whole inference, about half a millisecond for 2,500 steps on a desktop: too
 /// long for the loop of a host. In the paper it ran in a process of its own, for 226 ms. No call but the constructor

@@ -14,10 +14,10 @@ namespace rme {
 ///
 ///     d = d_stop - (tau_ext - tau_ext at the stop) / coulomb     (docs/theory.md (T36))
 ///
-/// This matters once a payload has just been compensated: the controller pulls the arm back, against friction in the
-/// other direction, and the last direction of motion would be wrong by up to twice the friction. While the flange
-/// accelerates, the payload's torque is not steady, and d stays as it is. When a payload is known to come, or the
-/// torque changes by more than friction can, d returns to its value before the change and keeps it for a while.
+/// This matters when a payload has just been compensated: the controller pulls the arm back, and friction then acts in
+/// the other direction. With the last direction of motion as d, the error would be up to twice the friction. While the
+/// flange accelerates, the payload's torque is not steady, and d stays as it is. When a payload is known to come, or the
+/// torque changes by more than friction can, d returns to its value before the change and keeps it for 0.1 s.
 template <typename Scalar, int Dofs>
 class FrictionDirection {
  public:

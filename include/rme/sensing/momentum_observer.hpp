@@ -23,8 +23,8 @@ struct MomentumObserverConfig {
 ///     r_k = r_k-1 + K dt (u_k - r_k-1),                        r_0 = 0
 ///
 /// So r is tau_ext after the first-order filter K / (s + K), discretised by Euler's rule as on nearly all arms. An
-/// external torque that sets in at sample k shows first at sample k + 1, with K dt of its size. Where the host measures
-/// its period h, u_k is the average over h, and the filter advances by h / dt periods at once:
+/// external torque that begins at sample k shows first at sample k + 1, with K dt of its size. If the host measures its
+/// period h, u_k is the average over h, and the filter advances by h / dt periods at once:
 ///
 ///     r_k = r_k-1 + (1 - (1 - K dt)^(h / dt)) (u_k - r_k-1)
 ///
@@ -46,8 +46,8 @@ class MomentumObserver {
   explicit MomentumObserver(Scalar dt, const MomentumObserverConfig<Scalar, Dofs>& config = {});
 
   /// Advances by one period. The first call after construction or reset() only takes the arm's momentum.
-  /// @param tau                 joint torque that acted over the period which ends now, gravity included [N m]: the
-  ///                            command of the last tick, or better the measurement
+  /// @param tau                 joint torque that the motors exerted over the period that ends now, gravity and payload
+  ///                            compensation included [N m]: the measurement, or else the command of the last tick
   /// @param dq                  joint velocity now [rad/s]
   /// @param mass_matrix         M(q) now [kg m^2], of the arm without payload
   /// @param coriolis_transpose  C(q, dq)^T dq now, for C with dM/dt = C + C^T [N m]

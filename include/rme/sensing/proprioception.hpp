@@ -13,13 +13,15 @@ namespace rme {
 /// What a torque-controlled arm reports in one tick.
 template <typename Scalar, int Dofs>
 struct Proprioception {
-  JointVector<Scalar, Dofs> tau_ext = JointVector<Scalar, Dofs>::Zero();  ///< external joint torque [N m]
-  Jacobian<Scalar, Dofs> jacobian = Jacobian<Scalar, Dofs>::Zero();       ///< J, 6 x Dofs
-  Matrix3<Scalar> rotation = Matrix3<Scalar>::Identity();                 ///< R, end-effector axes to world axes
+  /// External joint torque [N m]: what the environment exerts on the arm, or its reaction (TorqueSign).
+  JointVector<Scalar, Dofs> tau_ext = JointVector<Scalar, Dofs>::Zero();
+  /// J, 6 x Dofs: world axes, linear rows first, at the end-effector origin.
+  Jacobian<Scalar, Dofs> jacobian = Jacobian<Scalar, Dofs>::Zero();
+  Matrix3<Scalar> rotation = Matrix3<Scalar>::Identity();  ///< R, end-effector axes to world axes
   /// Joint velocity [rad/s]. Zero means an arm at rest: no inertia force, no friction of motion.
   JointVector<Scalar, Dofs> dq = JointVector<Scalar, Dofs>::Zero();
-  /// Motion of the flange over the period that ends now, from a host that knows it better than the differences of J dq;
-  /// those are used otherwise.
+  /// Motion of the flange over the period that ends now, from a host that knows it better than by differences of J dq.
+  /// Without it, these differences are used.
   std::optional<FlangeMotion<Scalar>> motion = std::nullopt;
   /// Time since the last sample [s], where the host measures it: lost samples then count as time that passed. 0 is the
   /// nominal period.

@@ -16,8 +16,8 @@ namespace rme {
 /// Settings of SampleWindow.
 struct SampleWindowConfig {
   double duration = 1.5;  ///< how far back samples are kept [s], > 0
-  /// Bandwidth of the first-order filter that tau_ext comes from [rad/s]: the gain K of the arm's momentum observer,
-  /// 1e-6 <= K dt <= 1. 0 if the torque is unfiltered. If the filter is discretised exactly rather than by Euler's
+  /// Bandwidth of the first-order filter through which tau_ext comes [rad/s]: the gain K of the arm's momentum observer,
+  /// 1e-6 <= K dt <= 1; or 0 if the torque is unfiltered. If the filter is discretised exactly rather than by Euler's
   /// rule, set (1 - exp(-K dt)) / dt.
   double observer_bandwidth = 50;
   double rest_velocity = 1e-3;  ///< joints slower than this count as resting [rad/s], > 0
