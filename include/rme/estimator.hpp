@@ -51,12 +51,12 @@ class Estimator {
   /// The current estimate, and what is going on.
   const EstimatorState<Scalar>& state() const noexcept { return state_; }
 
-  /// The joint torque that carries the payload, to be added to the command [N m], Dofs x 1 (docs/theory.md (T32)):
+  /// The joint torque that carries the payload, to be added to the command [N m], Dofs x 1 (docs/theory.md (T34)):
   ///
   ///     tau_comp = -share c J^T w(payload),   c = m^2 / (m^2 + std^2)
   ///
   /// Zero for an empty hand. If the payload's weight is suddenly missing in tau_ext, the removal guard reduces `share`
-  /// from 1 to 0 at once, before it is known whether the object was dropped or lifted (T33). For a pose that is not
+  /// from 1 to 0 at once, before it is known whether the object was dropped or lifted (T35). For a pose that is not
   /// plausible (plausible.hpp), that of the last good sample is used.
   /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
   /// @param rotation  R, end-effector axes to world axes
@@ -169,7 +169,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   return Status::Ok;
 }
 
-/// Writes the tracker's belief into the state that the host reads (docs/theory.md (T31)).
+/// Writes the tracker's belief into the state that the host reads (docs/theory.md (T33)).
 template <typename Scalar, int Dofs>
 void Estimator<Scalar, Dofs>::publish() noexcept {
   const TrackerBelief<Scalar>& belief = tracker_.belief();

@@ -160,7 +160,7 @@ void check_life(const rme::StarGaussian<double, kDofs>& before, const rme::StarG
 
 constexpr double kPeriod = 0.02;  // [s]
 
-/// What (T25) says of the residual, and what drifts by 2e-4 N m of the arm's scale, or by 1e-4 of itself.
+/// What (T27) says of the residual, and what drifts by 2e-4 N m of the arm's scale, or by 1e-4 of itself.
 Life life_of(const Scene& scene, int j, Sensing sensing, double speed, double turned = 0) {
   Life life;
   const double keep = std::exp(-speed * kPeriod / (sensing == Sensing::RoughModel ? 1.2 : 0.7)) * std::exp(-turned);
@@ -462,7 +462,7 @@ TEST_CASE(
 
 TEST_CASE("JointTorqueModel: noise of dq turns the payload as well, and of a few samples it is that of two ends",
           "[joint_torque]") {
-  // (T27): 2.5 min(2, 12 / n) / T^2 times the mean over the axes of J var(dq) J^T is the variance of the flange's
+  // (T29): 2.5 min(2, 12 / n) / T^2 times the mean over the axes of J var(dq) J^T is the variance of the flange's
   // acceleration. A kilogram turns it into J^T a and, at the root of 0.01 m^2 from it, into moments: of its weight on
   // that arm, and of the angular acceleration.
   Block block;

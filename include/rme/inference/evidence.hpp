@@ -25,7 +25,7 @@ Scalar payload_log_evidence(const PayloadLikelihood<Scalar>& likelihood, const P
 /// nuisances integrated out: with e = y - m (a + B r), b = sum_j J_j <1, e>_j and P = S^-1 + sum_j J_j J_j^T <1, 1>_j,
 /// over the joints j,
 ///
-///     log p = -1/2 (sum_j <e, e>_j - b^T P^-1 b) - 1/2 log det(P S)     (docs/theory.md (T45))
+///     log p = -1/2 (sum_j <e, e>_j - b^T P^-1 b) - 1/2 log det(P S)     (docs/theory.md (T47))
 ///
 /// @param joints             of the window, from PayloadStatistics::marginals
 /// @param payload            what the hand holds

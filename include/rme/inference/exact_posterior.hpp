@@ -50,7 +50,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
 namespace detail {
 
 /// p(m | y) and p(r | m, y) in coordinates in which they cost no matrices. Given m, the prior of r has a mean that is
-/// linear in m: r = e + k m + s. With s = T z, where z ~ N(0, 1) and T^T BB T = diag(lambda) (docs/theory.md (T44)),
+/// linear in m: r = e + k m + s. With s = T z, where z ~ N(0, 1) and T^T BB T = diag(lambda) (docs/theory.md (T46)),
 ///
 ///     z | m, y ~ N(u / (1 + m^2 lambda), 1 / (1 + m^2 lambda)),   u = T^T (m yB - m^2 (aB + BB (e + k m)))
 template <typename Scalar>

@@ -84,7 +84,7 @@ class PayloadStatistics {
     Scalar log_factor;  ///< -1/2 log det of the nuisances' posterior precision over their prior precision
   };
 
-  /// With precision w per sample and beta ~ N(mu, Lambda), by Woodbury (docs/theory.md (T37)):
+  /// With precision w per sample and beta ~ N(mu, Lambda), by Woodbury (docs/theory.md (T39)):
   ///
   ///     w G_uu - w^2 G_un (Lambda^-1 + w G_nn)^-1 G_nu
   ///

@@ -10,7 +10,7 @@
 
 namespace rme {
 
-/// Model of a joint's tau_ext (docs/theory.md (T35)):
+/// Model of a joint's tau_ext (docs/theory.md (T37)):
 ///
 ///     tau_ext = payload + offset + stiction - coulomb * direction - viscous * dq + noise
 template <typename Scalar, int Dofs>
@@ -54,7 +54,7 @@ struct SensorModel {
 
   /// Prior of the nuisances for the next event, given their posterior over a quiet window with an empty hand. The
   /// sensor's offset stays the same over the event, and stiction does not, but the quiet window shows only their sum:
-  /// the share rho = offset^2 / (offset^2 + stiction^2) of its mean is kept (docs/theory.md (T38)), and the variance is
+  /// the share rho = offset^2 / (offset^2 + stiction^2) of its mean is kept (docs/theory.md (T40)), and the variance is
   /// increased accordingly. Friction coefficients stay.
   NuisanceGaussian<Scalar, Dofs> after_event(const NuisanceGaussian<Scalar, Dofs>& baseline) const noexcept;
 

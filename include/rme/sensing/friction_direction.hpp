@@ -12,7 +12,7 @@ namespace rme {
 /// the other torques. The joint does not move, so that its torques cancel, and as long as the payload's torque is
 /// steady a change of tau_ext is a change of friction:
 ///
-///     d = d_stop - (tau_ext - tau_ext at the stop) / coulomb     (docs/theory.md (T36))
+///     d = d_stop - (tau_ext - tau_ext at the stop) / coulomb     (docs/theory.md (T38))
 ///
 /// This matters when a payload has just been compensated: the controller pulls the arm back, and friction then acts in
 /// the other direction. With the last direction of motion as d, the error would be up to twice the friction. While the

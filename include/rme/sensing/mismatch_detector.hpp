@@ -38,7 +38,7 @@ struct MismatchDetectorConfig {
 };
 
 /// Watches a signal s of `Channels` numbers: a mismatch is a rapid change over the window that has since settled
-/// (docs/theory.md (T47)),
+/// (docs/theory.md (T49)),
 ///
 ///     ||s(newest) - s(oldest)|| > activation    and    ||mean_i - mean(newest)|| <= stabilisation,  i = 1, 2, 3
 ///

@@ -14,7 +14,7 @@ struct MomentumObserverConfig {
   JointVector<Scalar, Dofs> gain = JointVector<Scalar, Dofs>::Constant(Scalar(50));  ///< K [rad/s], 0 < K dt <= 1
 };
 
-/// Generalised-momentum observer (De Luca and Mattone, ICRA 2005; docs/theory.md (T48), its filter (T7)).
+/// Generalised-momentum observer (De Luca and Mattone, ICRA 2005; docs/theory.md (T50), its filter (T7)).
 ///
 /// With p = M dq the dynamics read dp/dt = tau + C^T dq - g + tau_ext, so tau_ext is the part of dp/dt that the model
 /// does not explain. Its average over the period that ends with sample k is u_k, and r_k the observer's output:

@@ -7,7 +7,7 @@
 
 namespace rme {
 
-/// Damped pseudo-wrench W = (J J^T + lambda I)^-1 J tau_ext, in world axes (docs/theory.md (T34); paper, Section 4.1).
+/// Damped pseudo-wrench W = (J J^T + lambda I)^-1 J tau_ext, in world axes (docs/theory.md (T36); paper, Section 4.1).
 /// The damping keeps it bounded near a singularity; a Jacobian of zeros gives zero.
 /// @param jacobian     J, 6 x Dofs, world axes, linear rows first
 /// @param tau_ext      external joint torque [N m]

@@ -49,7 +49,7 @@ class HypothesisBank {
   /// The filter of h after the last block.
   const Star& star(Hypothesis h) const noexcept { return stars_[index(h)]; }
   /// e^T S^-1 e per joint of the likeliest hypothesis that is neither an exchange nor a push, at the last block: 1 on
-  /// average if the arm does what the model says (docs/theory.md (T28)).
+  /// average if the arm does what the model says (docs/theory.md (T30)).
   Scalar innovation_squared() const noexcept { return innovation_squared_; }
   /// What has been learned of the joints' noise and residual.
   const SensorNoise<Scalar, Dofs>& noise() const noexcept { return model_.noise(); }

@@ -12,8 +12,8 @@
 namespace rme {
 
 /// The nuisances' prior, their own lives over a block, and how they enter a block's torque, for one kind of torque
-/// sensing (docs/theory.md, "Friction" and "What counts as unexplained"; observation() is (T22), the residual in
-/// predict() (T25), the noise of dq (T27)):
+/// sensing (docs/theory.md, "Friction" and "What counts as unexplained"; observation() is (T24), the residual in
+/// predict() (T27), the noise of dq (T29)):
 ///
 ///     tau_j = h_j^T phi + offset - d coulomb - dq viscous + residual + s stiction + noise
 ///

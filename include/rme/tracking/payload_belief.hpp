@@ -20,7 +20,7 @@ struct InertialGaussian {
 };
 
 /// Cuts a Gaussian where the mass would be negative or above `largest`: the moments of the truncated mass, and of all
-/// else what follows from its regression on the mass (docs/theory.md (T29)). Unchanged where nothing is to be cut.
+/// else what follows from its regression on the mass (docs/theory.md (T31)). Unchanged where nothing is to be cut.
 template <typename Scalar>
 InertialGaussian<Scalar> within_rated(const InertialGaussian<Scalar>& free, Scalar largest) noexcept {
   using std::erfc;
@@ -61,7 +61,7 @@ InertialGaussian<Scalar> within_rated(const InertialGaussian<Scalar>& free, Scal
   return cut;
 }
 
-/// (m, r) of (m, m r): r = (m r) / m to first order (docs/theory.md (T30)). Of a payload so light that its centre does
+/// (m, r) of (m, m r): r = (m r) / m to first order (docs/theory.md (T32)). Of a payload so light that its centre does
 /// not show, the prior's centre of mass is as good as any.
 template <typename Scalar>
 PayloadGaussian<Scalar> payload_of(const InertialGaussian<Scalar>& phi, const PayloadPrior<Scalar>& prior) noexcept {

@@ -11,7 +11,7 @@ namespace rme {
 /// pushes the empty hand upwards until the filters know; this knows within milliseconds, and errs on the side of the
 /// arm sagging a little: somebody who lifts the object has the same effect.
 ///
-///     s = (tau - nu) . t / t . t     (docs/theory.md (T33))
+///     s = (tau - nu) . t / t . t     (docs/theory.md (T35))
 ///
 /// with t the payload's torque, nu what tau holds besides, as of the last quiet block, and tau averaged over 4 ms. Down
 /// to half of the weight all of the compensation stays, below that twice s of it.

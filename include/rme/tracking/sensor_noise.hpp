@@ -12,7 +12,7 @@
 namespace rme {
 
 /// Learned from innovations of blocks in which nothing happens (docs/theory.md, "Noise and residual"; the noise is
-/// (T23)).
+/// (T25)).
 ///
 /// Noise, per joint: half the mean square of the difference of two innovations in a row. Whatever lasts longer than a
 /// block, be it an offset, friction, or a residual, cancels in it. A joint that has become much noisier would make each
@@ -55,7 +55,7 @@ class SensorNoise {
   }
 
   /// By how much the variance of what a payload has shown grows with the arm's motion, relative to itself [1/rad]
-  /// (docs/theory.md (T26)): a residual is the same again whenever the arm comes back to a pose, and does not average
+  /// (docs/theory.md (T28)): a residual is the same again whenever the arm comes back to a pose, and does not average
   /// out.
   Scalar forgetting() const noexcept {
     if (rough_) return Scalar(0);  // it forgets its residual in each motion
@@ -68,7 +68,7 @@ class SensorNoise {
   }
 
   /// Notices that a joint has become noisier, whatever else happens: white torque turns back block after block, which
-  /// neither a hand nor a pour does (docs/theory.md (T24)).
+  /// neither a hand nor a pour does (docs/theory.md (T26)).
   /// @param block  the next one, each of them
   /// @param other  variance of what else is noise in it [(N m)^2]
   void watch(const TorqueBlock<Scalar, Dofs>& block, const Vector& other) noexcept {

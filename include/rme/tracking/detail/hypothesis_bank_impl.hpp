@@ -133,7 +133,7 @@ Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept 
   return push_.update(e, S, model_.block().jacobian, model_.block().duration, goes_on_);
 }
 
-/// What the payload's torque has shown some way ago counts less, where the arm's model is off (docs/theory.md (T26)).
+/// What the payload's torque has shown some way ago counts less, where the arm's model is off (docs/theory.md (T28)).
 /// What motion does not show returns to the prior, and no further.
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::forget(Star& star) const noexcept {
