@@ -26,9 +26,9 @@ struct ArmPrior {
   using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
   Vector noise;     ///< standard deviation of a block's mean torque: where its learning begins [N m]
   Vector offset;    ///< standard deviation of the torque sensor's offset [N m]
-  Vector residual;  ///< relative sizes of the rigid-body model's residual; their common scale is learned
-  Vector coulomb;   ///< Coulomb friction to expect, give or take half of it [N m]
-  Vector viscous;   ///< viscous friction to expect, give or take half of it [N m s/rad]
+  Vector residual;  ///< scale of the joint: relative size of the rigid-body model's residual, whose size is learned
+  Vector coulomb;   ///< Coulomb friction: mean, with half of it as standard deviation [N m]
+  Vector viscous;   ///< viscous friction, likewise [N m s/rad]
 
   /// The defaults of an arm that is made for this payload [kg], > 0.
   static ArmPrior of(Scalar rated_payload) noexcept {
@@ -48,7 +48,7 @@ struct PayloadPrior {
   Vector3<Scalar> com_mean;  ///< [m], end-effector axes, from the end-effector origin
   Vector3<Scalar> com_std;   ///< [m]
 
-  /// A quarter of the rated payload, give or take a third; 10 cm ahead of the flange and near its axis.
+  /// Mass of 0.25 +- 0.3 of the rated payload, centre 10 cm ahead of the flange and near its axis.
   static PayloadPrior of(Scalar rated_payload) noexcept {
     return {Scalar(0.25) * rated_payload, Scalar(0.3) * rated_payload, Vector3<Scalar>(0, 0, Scalar(0.1)),
             Vector3<Scalar>(Scalar(0.06), Scalar(0.06), Scalar(0.07))};
@@ -63,8 +63,8 @@ struct PayloadPrior {
   }
   /// Covariance of phi, lower triangular factor. The moments of m r for a mass that is known roughly: with r
   /// independent of m, cov(m, m r) = r0 var(m) and cov(m r) = r0 r0^T var(m) + Sigma_r E[m^2] (docs/theory.md (T13));
-  /// of E[m^2] a better guess than the prior's is wanted, or the centre of mass of a light object would be all but
-  /// free.
+  /// with the prior's own E[m^2], the centre of mass of a light object would hardly be constrained, so pass a better
+  /// guess where there is one.
   /// @param square_mass  E[m^2] [kg^2], > 0
   InertialMatrix<Scalar> factor(Scalar square_mass) const noexcept {
     using std::sqrt;

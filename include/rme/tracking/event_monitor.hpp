@@ -12,10 +12,10 @@ namespace rme {
 enum class EventKind : std::uint8_t {
   None,       ///< nothing has happened yet
   Attached,   ///< something is in a hand that was empty
-  Exchanged,  ///< it is heavier or lighter than before
+  Exchanged,  ///< the payload is heavier or lighter than before
   Removed,    ///< the hand is empty again
-  Filling,    ///< its mass has drifted
-  Pushed,     ///< something pushed; what is held is what it was
+  Filling,    ///< the payload's mass has drifted
+  Pushed,     ///< something pushed; the payload is the same as before
 };
 
 /// The enumerator's name, for logs.
@@ -37,13 +37,13 @@ constexpr const char* to_string(EventKind kind) noexcept {
   return "unknown";
 }
 
-/// The last event that is over. Times count from the estimator's construction or reset [s].
+/// The last event that is over. Times count from the estimator's construction or reset.
 struct Event {
   int number = 0;                    ///< events that are over; 0 before the first
   EventKind kind = EventKind::None;  ///< what it was
-  double onset = 0;                  ///< when it began, to within a block
-  double noticed = 0;                ///< when that was known
-  double over = 0;                   ///< when it was over
+  double onset = 0;                  ///< when it began, to within a block [s]
+  double noticed = 0;                ///< when it was noticed [s]
+  double over = 0;                   ///< when it was over [s]
 };
 
 /// Watches the likeliest hypothesis. A change is going on while that is an exchange, a push or filling, and is over

@@ -23,8 +23,8 @@ struct JointFriction {
 
 /// Tells resting joints from moving ones. A joint moves if the mean of dq over a quarter of a block exceeds 1e-4 rad/s
 /// and 4.5 standard deviations of its noise. One that moves more slowly than its noise shows counts as resting: what
-/// held it when it stopped goes on, and of one that has not moved nothing is known either way. To take noise for motion
-/// would be worse: friction that is the same in both directions is learned to be none.
+/// held it when it stopped still holds it, and the direction of a joint that has never moved is 0. Taking noise for
+/// motion would be worse: the friction would then seem to be the same in both directions, and be learned to be zero.
 template <typename Scalar, int Dofs>
 class FrictionRegime {
  public:

@@ -19,10 +19,10 @@ namespace rme {
 
 /// Five filters and their probabilities (Blom and Bar-Shalom, IEEE Trans. Automatic Control 1988; docs/theory.md,
 /// "Hypotheses"). A block is taken in by begin(), evaluate() of every hypothesis, finish(), in that order; they may be
-/// spread over several ticks, and until finish() everything else says what it said before.
+/// spread over several ticks; results change in finish() only.
 ///
 /// Real time: no call allocates. evaluate() costs some 3,000 multiplications for 7 joints, twice that where hypotheses
-/// have to be mixed; a hypothesis that is out of the question costs nothing.
+/// have to be mixed; one that is too improbable is not computed.
 template <typename Scalar, int Dofs>
 class HypothesisBank {
  public:
@@ -54,7 +54,7 @@ class HypothesisBank {
   /// What has been learned of the joints' noise and residual.
   const SensorNoise<Scalar, Dofs>& noise() const noexcept { return model_.noise(); }
 
-  /// Believes that `h` is so, with the given odds against all else.
+  /// Gives `h` this probability, 0 to 1, and scales those of all others down.
   void believe(Hypothesis h, Scalar probability) noexcept;
   /// What is held becomes N(mean, factor factor^T).
   void set_payload(const InertialVector<Scalar>& mean, const InertialMatrix<Scalar>& factor) noexcept;

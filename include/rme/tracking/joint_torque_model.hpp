@@ -11,7 +11,7 @@
 
 namespace rme {
 
-/// The nuisances' prior, their own lives over a block, and how they enter a block's torque, for one kind of torque
+/// The nuisances' prior, how they change over a block, and how they enter a block's torque, for one kind of torque
 /// sensing (docs/theory.md, "Friction" and "What counts as unexplained"; observation() is (T24), the residual in
 /// predict() (T27), the noise of dq (T29)):
 ///
@@ -55,20 +55,20 @@ class JointTorqueModel {
   ///                        arm that rests is not taken for its friction
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
              bool friction_shows = false) noexcept;
-  /// The nuisances' own lives over the block.
+  /// How the nuisances change over the block, before its torque is taken in.
   void predict(Star& star) const noexcept;
   /// @param j     0 .. Dofs - 1
-  /// @param mass  that is held [kg]: what noise of dq makes of its inertia is noise
+  /// @param mass  that is held [kg]: noise of dq becomes noise of its inertia force
   JointObservation<Scalar> observation(int j, Scalar mass) const noexcept;
-  /// Variance by which what holds a joint may have jumped within the block: while others move, that of a resting one
-  /// may be anywhere within its friction, as far as `star` knows that [(N m)^2]. 0 if it cannot have.
+  /// Variance that a jump of a resting joint's stiction within the block would add: while other joints move, it may be
+  /// anywhere within the friction that `star` expects [(N m)^2]. 0 if the joint moves or the arm rests.
   Scalar stiction_jump(const Star& star, int j) const noexcept {
     if (sensing_ == Sensing::LinkSide || regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
     return Scalar(6.25) * stiction_variance(star, j);
   }
   /// Whether the arm's model is taken to be rough.
   bool rough() const noexcept { return sensing_ == Sensing::RoughModel; }
-  /// Forgets what the residual has been: any that the arm may have.
+  /// Resets the residual to its prior.
   void reopen_residual(Star& star) const noexcept {
     for (int j = 0; j < Dofs; ++j) {
       auto& joint = star.joint(j);
@@ -79,12 +79,12 @@ class JointTorqueModel {
       joint.covariance(kResidual, kResidual) = noise_.residual_variance(j);
     }
   }
-  /// What was held is gone, if all joints bear within a tenth of it less, beside five deviations. By what the gains of
-  /// torque sensors are off, what seemed an offset under its load is then not one; at most as much as before any
-  /// sample.
+  /// After a removal: if the payload's torque is missing in every joint, to within a tenth and five standard deviations,
+  /// the offsets become less certain. An error of a torque sensor's gain, 2 % of that torque, seemed to be an offset
+  /// while the payload was held. No offset becomes less certain than before the first sample.
   /// @param star   of the empty hand in this block, predicted
   /// @param held   phi that is gone
-  /// @param share  of the star's weight for which this is so, 0 to 1
+  /// @param share  weight of the part of the star that held something in the block before, 0 to 1
   void unload(Star& star, const InertialVector<Scalar>& held, Scalar share) const noexcept {
     using std::abs;
     using std::sqrt;
@@ -99,7 +99,7 @@ class JointTorqueModel {
       star.joint(j).covariance(kOffset, kOffset) += share * off * off;
     }
   }
-  /// Forgets how sure the offset was.
+  /// Adds the prior's variance to the offsets'.
   void reopen_offset(Star& star) const noexcept {
     for (int j = 0; j < Dofs; ++j) star.joint(j).covariance(kOffset, kOffset) += arm_.offset[j] * arm_.offset[j];
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// The dangerous direction: what is carried may be gone.
+/// Reduces the compensation when the payload's weight is suddenly missing in tau_ext.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/small_matrix.hpp>
@@ -8,13 +8,13 @@
 namespace rme {
 
 /// Compares, tick by tick, the torque that is carried with what the arm feels. When an object is dropped, compensation
-/// pushes the empty hand upwards until the filters know; this knows within milliseconds, and errs on the side of the
-/// arm sagging a little: somebody who lifts the object has the same effect.
+/// pushes the empty hand upwards until the filters have noticed. The guard notices within milliseconds. It also acts when
+/// somebody lifts the object: the arm then sags a little, which is the safer error.
 ///
 ///     s = (tau - nu) . t / t . t     (docs/theory.md (T35))
 ///
-/// with t the payload's torque, nu what tau holds besides, as of the last quiet block, and tau averaged over 4 ms. Down
-/// to half of the weight all of the compensation stays, below that twice s of it.
+/// with t the payload's torque, nu what tau held besides in the last block in which nothing happened, and tau averaged
+/// over 4 ms. The share of the compensation is 2 s, between 0 and 1.
 template <typename Scalar, int Dofs>
 class RemovalGuard {
  public:

@@ -1,5 +1,5 @@
 #pragma once
-/// How noisy an arm's torque is, and how far its rigid-body model is off: learned for as long as the arm runs.
+/// How noisy an arm's torque is, and how far its rigid-body model is off: learned while the arm runs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,14 +15,15 @@ namespace rme {
 /// (T25)).
 ///
 /// Noise, per joint: half the mean square of the difference of two innovations in a row. Whatever lasts longer than a
-/// block, be it an offset, friction, or a residual, cancels in it. A joint that has become much noisier would make each
-/// block look like an event, and nothing would be learned: watch() tells noise from events by its zigzag.
+/// block, be it an offset, friction, or a residual, cancels in it. If a joint
+/// became much noisier, each block would look like an event, and nothing would be learned. So watch() looks for white
+/// noise, which changes sign from block to block as no event does (T26).
 ///
 /// Residual, one scale per joint: if it is right, innovations are white. If they are correlated with those before, the
 /// residual is larger than assumed, and smaller if they are anticorrelated (Mehra, IEEE Trans. Automatic Control 1970).
 /// Only blocks in which the arm moves count. What is held takes on part of a residual, which then seems smaller than it
-/// is: that counts less. The longer an arm has moved the more slowly its residual is learned: what is poured in
-/// meanwhile is not the model's fault.
+/// is: that counts less. The longer an arm has moved, the more slowly its residual is learned: otherwise a
+/// pour would be learned as residual.
 ///
 /// A rough model's residual has one scale for all joints, and is another one in each motion. It is smoother than the
 /// tracker's, so that innovations would never be white, however large it is: there, innovations that are smaller than
@@ -70,7 +71,7 @@ class SensorNoise {
   /// Notices that a joint has become noisier, whatever else happens: white torque turns back block after block, which
   /// neither a hand nor a pour does (docs/theory.md (T26)).
   /// @param block  the next one, each of them
-  /// @param other  variance of what else is noise in it [(N m)^2]
+  /// @param other  variance of other noise in it [(N m)^2]
   void watch(const TorqueBlock<Scalar, Dofs>& block, const Vector& other) noexcept {
     for (int j = 0; j < Dofs; ++j) {
       const Scalar slope = block.tau[j] - torque_[j], bend = slope - slope_[j];

@@ -1,5 +1,5 @@
 #pragma once
-/// The Gaussian of one filter: a payload's inertial parameters, and what each joint's torque carries beside them.
+/// The Gaussian of one filter: a payload's inertial parameters, and what else each joint's torque contains.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace rme {
 
-/// What a joint's torque carries beside the payload; the order of every nuisance vector.
+/// What a joint's torque contains besides the payload's; the order of every nuisance vector.
 enum Nuisance : int {
   kOffset,    ///< of the torque sensor [N m]
   kCoulomb,   ///< friction of a moving joint, against its motion [N m]
@@ -39,7 +39,7 @@ struct JointObservation {
 ///
 ///     phi ~ N(mean, F F^T),   beta_j | phi ~ N(b_j + B_j phi, V_j)
 ///
-/// A joint's torque says something of phi and of its own beta alone, so that observe() keeps this form exactly, at a
+/// A joint's torque depends only on phi and on its own beta, so that observe() keeps this form exactly, at a
 /// fifth of what a dense covariance costs. replace_payload(), diffuse() and mix() would couple the joints: each gives
 /// the nearest star, which has the right moments of phi and every beta_j, pair by pair (docs/theory.md, "The star"; the
 /// form is (T15)).

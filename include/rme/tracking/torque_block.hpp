@@ -1,5 +1,5 @@
 #pragma once
-/// Some tens of milliseconds of an arm, averaged: what the tracker looks at.
+/// Some tens of milliseconds of an arm, averaged: the tracker's measurement.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/flange_motion.hpp>
@@ -39,8 +39,8 @@ struct BlockContext {
 /// Gathers samples into blocks.
 ///
 /// The observer's lag: r_k = r_k-1 + b (tau_k - r_k-1) is inverted, tau_k = r_k-1 + (r_k - r_k-1) / b. White noise of
-/// the sensor comes out white, and what quantisation, delay or a bandwidth that is said wrongly do to single samples
-/// cancels within a block but for its two ends (docs/theory.md (T8)).
+/// the sensor comes out white, and the errors that quantisation, delay or a wrong bandwidth make in single samples
+/// cancel within a block but for its two ends (docs/theory.md (T8)).
 ///
 /// Torque and acceleration are averaged with the same weights, 6 s (1 - s) over the block (docs/theory.md (T9)): the
 /// average of differences of J dq is then the least-squares slope of J dq, which is as little noise of dq as a straight
@@ -84,7 +84,7 @@ class BlockAverager {
   }
 
  private:
-  // Acceleration that noise of dq may feign over a block [m/s^2].
+  // Error of the acceleration that noise of dq may cause over a block [m/s^2].
   static constexpr double kFeigned = 0.02;
   static constexpr int kNoiseMemory = 50;    // of what noise of dq is: blocks, a second
   static constexpr double kNoisiest = 1e-4;  // that a first block may be [(rad/s)^2]

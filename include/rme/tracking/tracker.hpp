@@ -1,5 +1,5 @@
 #pragma once
-/// One posterior over what is in the hand, that never stops listening.
+/// One posterior over what is in the hand, which takes in every block.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,7 +26,7 @@ struct TrackerBelief {
 };
 
 /// Runs a HypothesisBank for each kind of torque sensing and weighs them by how well they explain an arm in motion;
-/// which kind it is is a property of the arm, and remembered.
+/// the kind is a property of the arm, and is remembered.
 ///
 /// Real time: nothing allocates. A block's work is spread over advance() calls, one filter each.
 template <typename Scalar, int Dofs>
@@ -133,13 +133,13 @@ class Tracker {
   }
 
  private:
-  // A host that has no reason to say so is wrong once in a thousand times.
+  // Odds that a host's word gets: 999 to 1.
   static constexpr double kHostIsRight = 0.999;
-  // Friction that is taken for weight does more harm than friction that is looked for in vain; of arms whose model is
-  // rough, one is to be convinced.
+  // Friction that is taken for weight does more harm than friction that is looked for in vain. A rough model explains
+  // nearly anything, and has to do much better than the others.
   static constexpr std::array<double, kSensings> kEvidence = {-8, 0, -40};  // before the first sample [nats]
   static constexpr double kDecided = 300;  // an arm that was serviced is recognised after some seconds of motion [nats]
-  static constexpr double kUnlikely = 1e-3;  // of a kind that is not looked into with patience
+  static constexpr double kUnlikely = 1e-3;  // a kind below it gets no hypothesis that is not needed
   static constexpr double kCertain = 1e-6;   // of link-side sensing, where friction is certain to show
   static constexpr double kLargestHealth = 100;
   static constexpr double kPushed = 0.9;     // of the weight, that a push takes

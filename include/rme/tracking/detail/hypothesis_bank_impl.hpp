@@ -20,8 +20,8 @@ Scalar HypothesisBank<Scalar, Dofs>::transition(std::size_t from, std::size_t to
 
 /// What is known of an arm in which `to` begins, having been in `from`. A change has gone on for a while before it is
 /// noticed, and nuisances have taken on a share of it: what follows a change starts from before. So does a pour that has
-/// shown for a while; and a push, where an exchange has just been believed in: it has been the push, and what was held
-/// before is held still.
+/// shown for a while. So does a push after an exchange: the exchange was that push, and the payload is the one from
+/// before.
 template <typename Scalar, int Dofs>
 auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const noexcept -> const Star& {
   const auto h = static_cast<Hypothesis>(from);
@@ -165,7 +165,7 @@ InertialMatrix<Scalar> HypothesisBank<Scalar, Dofs>::filling(const Star& star) c
     Q(1 + i, 1 + i) += spread * spread;
   }
   if (held > Scalar(0.02) * rated_) {
-    // As little as is known of where the payload's centre is, is known of what comes to it; block after block the same.
+    // What is added has the payload's centre of mass, and its uncertainty, which is the same in each block.
     const InertialMatrix<Scalar> P = star.covariance();
     const Scalar share = Scalar(0.6) * mass / held, known = Scalar(1) / std::max(P(0, 0), Scalar(1e-12));
     for (int i = 1; i < 4; ++i)

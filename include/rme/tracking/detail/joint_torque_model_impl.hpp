@@ -82,7 +82,7 @@ void JointTorqueModel<Scalar, Dofs>::turn(const TorqueBlock<Scalar, Dofs>& block
   }
 }
 
-/// The nuisances' own lives over a block.
+/// How the nuisances change over a block, before its torque is taken in.
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
   using std::exp;
