@@ -43,10 +43,10 @@ struct PerHypothesis {
   const Scalar& operator[](Hypothesis h) const noexcept { return values[static_cast<std::size_t>(h)]; }
 };
 
-/// P(this block's hypothesis | the last block's): rows from, columns to. An exchange and a push are each expected once in 20 s; a hand-over is
-/// done within three blocks; a push lasts 0.7 s, pouring 2.7 s (docs/theory.md (T19)). A block's
-/// evidence is tens of nats, so that a factor of two or three does not matter; blocks of an arm with noisy dq are longer
-/// by as much.
+/// P(this block's hypothesis | the last block's): rows from, columns to. An exchange and a push are each expected once
+/// in 20 s; a hand-over is done within three blocks; a push lasts 0.7 s, pouring 2.7 s (docs/theory.md (T19)). A
+/// block's evidence is tens of nats, so that a factor of two or three does not matter; blocks of an arm with noisy dq
+/// are longer by as much.
 inline constexpr std::array<std::array<double, kHypotheses>, kHypotheses> kTransitions = {{
     // Empty  Steady  Filling Exchanged Pushed
     {0.9978, 0, 0.0002, 0.001, 0.001},      // from Empty

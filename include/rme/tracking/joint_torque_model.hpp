@@ -79,9 +79,9 @@ class JointTorqueModel {
       joint.covariance(kResidual, kResidual) = noise_.residual_variance(j);
     }
   }
-  /// After a removal: if the payload's torque is missing in every joint, to within a tenth and five standard deviations,
-  /// the offsets become less certain. An error of a torque sensor's gain, 2 % of that torque, seemed to be an offset
-  /// while the payload was held. No offset becomes less certain than before the first sample.
+  /// After a removal: if the payload's torque is missing in every joint, to within a tenth and five standard
+  /// deviations, the offsets become less certain. An error of a torque sensor's gain, 2 % of that torque, seemed to be
+  /// an offset while the payload was held. No offset becomes less certain than before the first sample.
   /// @param star   of the empty hand in this block, predicted
   /// @param held   phi that is gone
   /// @param share  weight of the part of the star that held something in the block before, 0 to 1
@@ -124,8 +124,8 @@ class JointTorqueModel {
 
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
-  /// Of what may hold a resting joint [(N m)^2]: 0.6 of the Coulomb friction to expect, and no more friction than motion
-  /// has shown.
+  /// Of what may hold a resting joint [(N m)^2]: 0.6 of the Coulomb friction to expect, and no more friction than
+  /// motion has shown.
   Scalar stiction_variance(const Star& star, int j) const noexcept {
     const Scalar off = Scalar(0.6) * arm_.coulomb[j];
     if (sensing_ == Sensing::RoughModel) return off * off + Scalar(kRoughStiction) * noise_.residual_variance(j);

@@ -61,8 +61,8 @@ InertialGaussian<Scalar> within_rated(const InertialGaussian<Scalar>& free, Scal
   return cut;
 }
 
-/// (m, r) of (m, m r): r = (m r) / m to first order (docs/theory.md (T32)). If std(m) exceeds m, the
-/// centre of mass does not show, and r is the prior's.
+/// (m, r) of (m, m r): r = (m r) / m to first order (docs/theory.md (T32)). If std(m) exceeds m, the centre of mass
+/// does not show, and r is the prior's.
 template <typename Scalar>
 PayloadGaussian<Scalar> payload_of(const InertialGaussian<Scalar>& phi, const PayloadPrior<Scalar>& prior) noexcept {
   PayloadGaussian<Scalar> out;

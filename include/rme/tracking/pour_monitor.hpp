@@ -11,7 +11,8 @@ namespace rme {
 ///
 /// A slow pour hides in the nuisances: block by block, *steady* explains it nearly as well as *filling* does. But its
 /// innovations then lean towards the payload's own torque, and do so block after block: their average shows it (T22).
-/// So do offsets that drift as the drives warm up under a load. What tells them apart is how fast *steady* has to follow.
+/// So do offsets that drift as the drives warm up under a load. What tells them apart is how fast *steady* has to
+/// follow.
 ///
 /// Once *filling* is believed, its random walk becomes as wide as what is poured needs (T23). One that is wide enough
 /// for any pour would explain a slow one worse than *steady* does.

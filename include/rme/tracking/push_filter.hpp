@@ -12,8 +12,8 @@ namespace rme {
 /// How likely a block's torque is if a wrench w acts beside what is held (docs/theory.md (T48)). A wrench that is new
 /// may be any: w ~ N(0, W). One that goes on is nearly what it was in the block before, so that its six unknowns lower
 /// the evidence once, as a payload's do: a push that lasts and a payload that does not quite fit are then told apart by
-/// what fits better. Once
-/// a second it is taken to be new in any case, so that a payload that was taken for a push has a chance against it.
+/// what fits better. Once a second it is taken to be new in any case, so that a payload that was taken for a push has a
+/// chance against it.
 ///
 /// Real time: O(Dofs^3), no allocation.
 template <typename Scalar, int Dofs>

@@ -8,8 +8,8 @@
 namespace rme {
 
 /// Compares, tick by tick, the torque that is carried with what the arm feels. When an object is dropped, compensation
-/// pushes the empty hand upwards until the filters have noticed. The guard notices within milliseconds. It also acts when
-/// somebody lifts the object: the arm then sags a little, which is the safer error.
+/// pushes the empty hand upwards until the filters have noticed. The guard notices within milliseconds. It also acts
+/// when somebody lifts the object: the arm then sags a little, which is the safer error.
 ///
 ///     s = (tau - nu) . t / t . t     (docs/theory.md (T35))
 ///

@@ -19,8 +19,8 @@ Scalar HypothesisBank<Scalar, Dofs>::transition(std::size_t from, std::size_t to
 }
 
 /// What is known of an arm in which `to` begins, having been in `from`. A change has gone on for a while before it is
-/// noticed, and nuisances have taken on a share of it: what follows a change starts from before. So does a pour that has
-/// shown for a while. So does a push after an exchange: the exchange was that push, and the payload is the one from
+/// noticed, and nuisances have taken on a share of it: what follows a change starts from before. So does a pour that
+/// has shown for a while. So does a push after an exchange: the exchange was that push, and the payload is the one from
 /// before.
 template <typename Scalar, int Dofs>
 auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const noexcept -> const Star& {
