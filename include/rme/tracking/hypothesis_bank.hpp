@@ -77,7 +77,7 @@ class HypothesisBank {
     const auto& p = probability_.values;
     return static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
   }
-  /// P(this block's hypothesis | the last block's).
+  /// kTransitions, and what the pour monitor adds to *steady* and *filling*.
   Scalar transition(std::size_t from, std::size_t to) const noexcept;
   const Star& source(std::size_t from, Hypothesis to) const noexcept;
   void take_in(Hypothesis h) noexcept;
