@@ -189,7 +189,7 @@ Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, const Scenario& s
     rme::PayloadGaussian<double> belief = {Eigen::Vector4d::Zero(), Eigen::Matrix4d::Zero()};
     if (lies) {
       belief.mean[0] = at.jacobian.row(2).dot(arm.dq()) > 0 ? kLie : 0.0;
-      compensation = rme::compensation_torque<double, 7>(belief.payload(), at.jacobian, at.rotation);
+      compensation = rme::compensation_torque<double>(belief.payload(), at.jacobian, at.rotation);
       host.believe(belief, {});
     } else if (source != Source::Nobody) {
       if (estimator.update({arm.tau_ext(), at.jacobian, at.rotation, arm.dq()}) != rme::Status::Ok) ++out.refused;

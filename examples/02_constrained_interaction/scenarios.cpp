@@ -175,7 +175,7 @@ Outcome run(const ArmModel<7>& model, const Scenario& s, double period) {
     const Eigen::Vector3d push = s.push.at(t);
     arm.push({push, Eigen::Vector3d::Zero()});
     const Vector torque = host.update(
-        arm, rme::compensation_torque<double, 7>(estimate, arm.kinematics().jacobian, arm.kinematics().rotation));
+        arm, rme::compensation_torque<double>(estimate, arm.kinematics().jacobian, arm.kinematics().rotation));
     if (host.status() == rme::Status::Infeasible) {
       ++out.infeasible_ticks;
       last_excuse = std::max(last_excuse, t);

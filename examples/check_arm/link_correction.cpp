@@ -9,7 +9,8 @@ namespace rme::examples {
 
 namespace {
 
-/// Ridge regression of torque on link parameters and, for each joint, offset, friction and rotor inertia.
+/// Ridge regression of torque on link parameters and, for each joint, offset, friction and rotor inertia. Friction may
+/// grow with what the joint carries: what it took of that, the links would have to explain.
 struct Regression {
   const std::vector<LogBlocks>& logs;
   const std::vector<LinkRegressors>& regressors;
@@ -17,12 +18,12 @@ struct Regression {
   std::vector<Eigen::MatrixXd> left;  // of each log: what offset and friction do not explain [N m]
   Eigen::VectorXd ridge;              // 1 / variance of each link parameter
 
-  /// Which of a log's blocks count: half 0 or 1, or 2 for all.
-  static constexpr double kFixed = 1e12;  // 1 / variance of what stays as it is
-  static constexpr double kRotor = 3;     // kg m^2: what a rotor's inertia may be, seen through its gear
-  static bool counts(const LogBlocks& log, Eigen::Index i, int half) {
-    return half == 2 || (2 * i < log.blocks() ? 0 : 1) == half;
-  }
+  static constexpr double kFixed = 1e12;     // 1 / variance of what stays as it is
+  static constexpr double kRotor = 3;        // kg m^2: what a rotor's inertia may be, seen through its gear
+  static constexpr double kLoad = 0.3;       // what of a load friction may be
+  static constexpr Eigen::Index kOwn = 5;    // unknowns of a joint
+  static constexpr Eigen::Index kFolds = 5;  // stretches of each log, each tested with what the others say
+  static Eigen::Index fold_of(const LogBlocks& log, Eigen::Index i) { return kFolds * i / log.blocks(); }
   static double weight(const JointFindings& joint, double block) {
     const double variance = joint.noise * joint.noise + joint.residual * joint.residual;
     // Blocks that share a residual say no more than one.
@@ -36,7 +37,7 @@ struct Regression {
     return !joint.friction_known || (log.resting(i, j) == 0 && std::abs(log.direction(i, j)) == 1);
   }
   Eigen::Index parameters() const { return ridge.size(); }
-  Eigen::Index unknowns() const { return parameters() + 4 * static_cast<Eigen::Index>(joints.size()); }
+  Eigen::Index unknowns() const { return parameters() + kOwn * static_cast<Eigen::Index>(joints.size()); }
   Eigen::VectorXd row(std::size_t k, Eigen::Index i, Eigen::Index j) const {
     Eigen::VectorXd out = Eigen::VectorXd::Zero(unknowns());
     out.head(parameters()) = regressors[k][static_cast<std::size_t>(j)].row(i);
@@ -44,22 +45,27 @@ struct Regression {
     const Eigen::Index before = std::max<Eigen::Index>(0, i - 1), after = std::min(log.blocks() - 1, i + 1);
     const double time = log.end[after] - log.end[before];
     const double acceleration = time > 0 ? (log.velocity(after, j) - log.velocity(before, j)) / time : 0;
-    out.segment<4>(parameters() + 4 * j) << 1, -log.direction(i, j), -log.velocity(i, j), -acceleration;
+    out.segment<kOwn>(parameters() + kOwn * j) << 1, -log.direction(i, j), -log.velocity(i, j), -acceleration,
+        -log.direction(i, j) * std::abs(log.gravity(i, j));
     return out;
   }
 
-  Eigen::VectorXd fit(int half, bool with_links) const {
+  /// @param without  the fold that is left out; kFolds: none
+  Eigen::VectorXd fit(Eigen::Index without, bool with_links) const {
     const Eigen::Index n = unknowns();
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
     A.diagonal().head(parameters()) = with_links ? ridge : Eigen::VectorXd::Constant(parameters(), kFixed);
     A.diagonal().tail(n - parameters()).setConstant(1e-6);
-    for (Eigen::Index at = parameters() + 3; at < n; at += 4) A(at, at) = with_links ? 1 / (kRotor * kRotor) : kFixed;
+    for (Eigen::Index own = parameters(); own < n; own += kOwn) {
+      A(own + 3, own + 3) = with_links ? 1 / (kRotor * kRotor) : kFixed;
+      A(own + 4, own + 4) = 1 / (kLoad * kLoad);
+    }
     for (std::size_t k = 0; k < logs.size(); ++k) {
       const LogBlocks& log = logs[k];
       for (Eigen::Index j = 0; j < log.joints(); ++j) {
         for (Eigen::Index i = 0; i < log.blocks(); ++i) {
-          if (!counts(log, i, half) || !usable(k, i, j)) continue;
+          if (fold_of(log, i) == without || !usable(k, i, j)) continue;
           const Eigen::VectorXd x = row(k, i, j);
           const double w = weight(joints[static_cast<std::size_t>(j)], log.duration[i]);
           A.selfadjointView<Eigen::Lower>().rankUpdate(x, w);
@@ -69,14 +75,14 @@ struct Regression {
     }
     return A.selfadjointView<Eigen::Lower>().ldlt().solve(b);
   }
-  /// Sum of squares of what is left [(N m)^2]; offsets are those of the tested half.
-  double test(int half, const Eigen::VectorXd& x) const {
+  /// Sum of squares of what is left in a fold [(N m)^2], which has offsets of its own.
+  double test(Eigen::Index fold, const Eigen::VectorXd& x) const {
     double sum = 0;
     for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(joints.size()); ++j) {
       double total = 0, square = 0, count = 0;
       for (std::size_t k = 0; k < logs.size(); ++k) {
         for (Eigen::Index i = 0; i < logs[k].blocks(); ++i) {
-          if (!counts(logs[k], i, half) || !usable(k, i, j)) continue;
+          if (fold_of(logs[k], i) != fold || !usable(k, i, j)) continue;
           const double e = logs[k].tau(i, j) - row(k, i, j).dot(x);
           total += e;
           square += e * e;
@@ -108,16 +114,16 @@ LinkCorrection correct_links(const std::vector<LogBlocks>& logs, const std::vect
   const Regression regression{logs, regressors, joints, left, ridge};
   LinkCorrection out;
   double with = 0, without = 0;
-  for (int half = 0; half < 2; ++half) {
-    with += regression.test(1 - half, regression.fit(half, true));
-    without += regression.test(1 - half, regression.fit(half, false));
+  for (Eigen::Index fold = 0; fold < Regression::kFolds; ++fold) {
+    with += regression.test(fold, regression.fit(fold, true));
+    without += regression.test(fold, regression.fit(fold, false));
   }
   out.left = without > 0 ? std::sqrt(with / without) : 1;
-  const Eigen::VectorXd x = regression.fit(2, true);
+  const Eigen::VectorXd x = regression.fit(Regression::kFolds, true);
   for (std::size_t l = 0; l < bodies.size(); ++l)
     out.addition.emplace_back(x.segment<kInertial>(kInertial * static_cast<Eigen::Index>(l)));
   for (std::size_t j = 0; j < joints.size(); ++j)
-    out.rotor.push_back(std::max(0.0, x[ridge.size() + 4 * static_cast<Eigen::Index>(j) + 3]));
+    out.rotor.push_back(std::max(0.0, x[ridge.size() + Regression::kOwn * static_cast<Eigen::Index>(j) + 3]));
   return out;
 }
 

@@ -66,12 +66,13 @@ struct LinkCorrection {
   /// Additions to the links' inertial parameters, link axes, about the links' origins.
   std::vector<InertialVector<double>> addition;
   std::vector<double> rotor;  ///< inertia of each joint's rotor, seen through its gear, which no URDF has [kg m^2]
-  /// What is left of the torque's rms where nothing was fitted to it, with the corrections over without them: the mean
-  /// over two halves of the logs, each fitted to the other.
+  /// What is left of the torque's rms where nothing was fitted to it, with the corrections over without them: of fifths
+  /// of the logs, each with what the others say.
   double left = 1;
 };
 
-/// Ridge regression towards the URDF, together with each joint's offset, friction and rotor inertia.
+/// Ridge regression towards the URDF, together with each joint's offset, friction, as it grows with the load, and rotor
+/// inertia.
 /// @param bodies  of the URDF's links, as the arm has them
 LinkCorrection correct_links(const std::vector<LogBlocks>& logs, const std::vector<LinkRegressors>& regressors,
                              const std::vector<JointFindings>& joints, const std::vector<RigidBody>& bodies);

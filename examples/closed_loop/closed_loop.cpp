@@ -154,7 +154,7 @@ Course run_arm(const Draw& draw, const RigidBody& payload, double drop, Knowledg
     if (knowledge == Knowledge::Estimated) compensation = compensator.update(arm);
     if (knowledge == Knowledge::Perfect) {
       const RigidBody held = arm.payload();
-      compensation = rme::compensation_torque<double, 7>({held.mass, held.com}, jacobian, rotation);
+      compensation = rme::compensation_torque<double>({held.mass, held.com}, jacobian, rotation);
     }
     if (ramp.update(compensation) != rme::Status::Ok) throw std::runtime_error("the compensation is not finite");
     course.position.push_back(position);

@@ -9,8 +9,8 @@ template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian
 template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&, const Matrix3<double>&,
                                                                   const Vector3<double>&, const FlangeMotion<double>&,
                                                                   double) noexcept;
-template Status pseudo_wrench<double, 7>(const Jacobian<double, 7>&, const JointVector<double, 7>&, double,
-                                         Wrench<double>&) noexcept;
+template Status pseudo_wrench(const Eigen::MatrixBase<Jacobian<double, 7>>&,
+                              const Eigen::MatrixBase<JointVector<double, 7>>&, double, Wrench<double>&) noexcept;
 template class SampleWindow<double, 7>;
 template class MismatchDetector<7>;
 template struct SensorModel<double, 7>;

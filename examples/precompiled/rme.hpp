@@ -29,8 +29,9 @@ extern template PayloadRegressor<double, 7> payload_regressor<double, 7>(const J
 extern template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&,
                                                                          const Matrix3<double>&, const Vector3<double>&,
                                                                          const FlangeMotion<double>&, double) noexcept;
-extern template Status pseudo_wrench<double, 7>(const Jacobian<double, 7>&, const JointVector<double, 7>&, double,
-                                                Wrench<double>&) noexcept;
+extern template Status pseudo_wrench(const Eigen::MatrixBase<Jacobian<double, 7>>&,
+                                     const Eigen::MatrixBase<JointVector<double, 7>>&, double,
+                                     Wrench<double>&) noexcept;
 extern template class SampleWindow<double, 7>;
 extern template class MismatchDetector<7>;
 extern template struct SensorModel<double, 7>;

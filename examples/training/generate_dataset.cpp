@@ -68,7 +68,7 @@ struct Wrenches {
 
 Wrenches wrenches(const SyntheticArm<7>& arm, double damping) {
   rme::Wrench<double> world;
-  if (rme::pseudo_wrench<double, 7>(arm.kinematics().jacobian, arm.tau_ext(), damping, world) != rme::Status::Ok)
+  if (rme::pseudo_wrench(arm.kinematics().jacobian, arm.tau_ext(), damping, world) != rme::Status::Ok)
     throw std::runtime_error("the simulated arm reports nonsense");
   return {world.vector(), rme::in_end_effector_axes<double>(world, arm.kinematics().rotation).vector()};
 }

@@ -89,7 +89,7 @@ class Estimator {
   static constexpr double kHealthy = 3;     // health up to which the filter's covariance is taken as it is
 
   Torque carried(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
-    return compensation_torque<Scalar, Dofs>(state_.payload.payload(), jacobian, rotation, config_.gravity);
+    return compensation_torque<Scalar>(state_.payload.payload(), jacobian, rotation, config_.gravity);
   }
   Scalar share() const noexcept {
     const Scalar mass = state_.payload.mean[0], variance = state_.payload.covariance(0, 0);

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -21,10 +22,33 @@ TEMPLATE_TEST_CASE("compensation_torque: a planar arm holds a kilogram half a me
   const rme::Matrix3<Scalar> R = rme::Matrix3<Scalar>::Identity();
   const rme::Payload<Scalar> point{Scalar(1), rme::Vector3<Scalar>::Zero()};
   const rme::Payload<Scalar> further{Scalar(1), {Scalar(0.1), Scalar(0), Scalar(0)}};
-  CHECK(rme::compensation_torque<Scalar, 1>(point, J, R)[0] == Approx(-4.905).epsilon(1e-6));
-  CHECK(rme::compensation_torque<Scalar, 1>(further, J, R)[0] == Approx(-5.886).epsilon(1e-6));
+  CHECK(rme::compensation_torque<Scalar>(point, J, R)[0] == Approx(-4.905).epsilon(1e-6));
+  CHECK(rme::compensation_torque<Scalar>(further, J, R)[0] == Approx(-5.886).epsilon(1e-6));
   const rme::Vector3<Scalar> moon(0, 0, Scalar(-1.62));
-  CHECK(rme::compensation_torque<Scalar, 1>(point, J, R, moon)[0] == Approx(-0.81).epsilon(1e-6));
+  CHECK(rme::compensation_torque<Scalar>(point, J, R, moon)[0] == Approx(-0.81).epsilon(1e-6));
+}
+
+TEST_CASE("compensation_torque, compensation_potential: a host's own arrays give what matrices give",
+          "[compensation]") {
+  const unsigned seed = 20262;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::array<double, 42> columns{};  // column by column, as libfranka has it
+  std::array<double, 16> pose{};     // 4x4
+  for (double& x : columns) x = u(random);
+  for (double& x : pose) x = u(random);
+  const Eigen::Map<const rme::Jacobian<double, 7>> J(columns.data());
+  const Eigen::Map<const Eigen::Matrix4d> T(pose.data());
+  const rme::Payload<double> payload{1.2, {0.02, -0.03, 0.1}};
+  const rme::Jacobian<double, 7> own_J = J;
+  const Eigen::Matrix3d own_R = T.topLeftCorner<3, 3>();
+  const Eigen::Vector3d own_p = T.topRightCorner<3, 1>();
+  CHECK(
+      (rme::compensation_torque(payload, J, T.topLeftCorner<3, 3>()) - rme::compensation_torque(payload, own_J, own_R))
+          .norm() < 1e-15);
+  CHECK(std::abs(rme::compensation_potential(payload, T.topRightCorner<3, 1>(), T.topLeftCorner<3, 3>()) -
+                 rme::compensation_potential(payload, own_p, own_R)) < 1e-15);
 }
 
 TEMPLATE_TEST_CASE("CompensationRamp: no tick steps beyond the rate, whatever the estimates", "[compensation]", float,

@@ -250,7 +250,7 @@ TEST_CASE("EnergyTank: the potential of an estimate is what its torque gives bac
       return rme::compensation_potential<double>(payload, k.position, k.rotation);
     };
     const auto now = model.kinematics(q);
-    const double power = dq.dot(rme::compensation_torque<double, 7>(payload, now.jacobian, now.rotation));
+    const double power = dq.dot(rme::compensation_torque<double>(payload, now.jacobian, now.rotation));
     REQUIRE(power == Approx(-(at(1e-5) - at(-1e-5)) / 2e-5).margin(1e-6));
   }
 }

@@ -24,7 +24,7 @@ struct Pose {
     inverse_mass = oracle::inverse(dynamics.mass_matrix);
   }
   Vector7 torque(const rme::Payload<double>& payload) const {
-    return -rme::compensation_torque<double, 7>(payload, kinematics.jacobian, kinematics.rotation);
+    return -rme::compensation_torque<double>(payload, kinematics.jacobian, kinematics.rotation);
   }
 };
 

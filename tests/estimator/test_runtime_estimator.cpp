@@ -29,7 +29,7 @@ Proprioception<double, Dofs> sample_at(int tick) {
     sample.dq[j] = 0.01 * std::cos(t + j);
   }
   const double mass = tick > 500 ? 1 : 0;
-  sample.tau_ext = -compensation_torque<double, Dofs>({mass, {0.01, 0, 0.1}}, sample.jacobian, sample.rotation);
+  sample.tau_ext = -compensation_torque<double>({mass, {0.01, 0, 0.1}}, sample.jacobian, sample.rotation);
   for (int j = 0; j < Dofs; ++j) sample.tau_ext[j] += 0.01 * std::sin(1.7 * tick * (j + 1));
   sample.period = tick % 7 == 0 ? 0.002 : 0;
   if (tick > 1000) sample.motion = FlangeMotion<double>{{0, 0.1, 0}, {0.2, 0, 0.1}, {0, 0.3, 0}};

@@ -138,7 +138,7 @@ struct Loop {
   static_assert(noexcept(my<Solver>().solve(a<Matrix>(), a<Vector>(), a<Rows>(), a<Vector>(), a<Vector>())));
   static_assert(noexcept(my<Cpic>().update(a<rme::CpicInput<Scalar, Dofs>>(), a<Rows>())));
   static_assert(noexcept(my<Cpic>().reset()) && noexcept(a<Cpic>().torque()) && noexcept(a<Cpic>().active_count()));
-  static_assert(noexcept(rme::compensation_torque<Scalar, Dofs>(a<Payload>(), a<Jacobian>(), a<Matrix3>())));
+  static_assert(noexcept(rme::compensation_torque<Scalar>(a<Payload>(), a<Jacobian>(), a<Matrix3>())));
   static_assert(noexcept(my<rme::CompensationRamp<Scalar, Dofs>>().update(a<Vector>())));
   static_assert(noexcept(a<rme::CompensationRamp<Scalar, Dofs>>().torque()));
   static_assert(noexcept(my<rme::EnergyTank<Scalar, Dofs>>().update(a<Vector>(), a<Vector>(), Scalar(1))));

@@ -76,7 +76,7 @@ TEST_CASE("Allocations: none in the controller, feasible or not", "[realtime]") 
       input.null_torque = posture.torque(q, dq);
       refused += null_space.update(input.jacobian) != Status::Ok;
       const auto carried =
-          rme::compensation_torque<double, 7>({1.1, {0, 0, 0.1}}, input.jacobian, Eigen::Matrix3d::Identity());
+          rme::compensation_torque<double>({1.1, {0, 0, 0.1}}, input.jacobian, Eigen::Matrix3d::Identity());
       refused += ramp.update(carried) != Status::Ok;
       input.other_torque = ramp.torque() / (1 + ramp.torque().norm());
       const Status status = cpic.update(input, rows);

@@ -127,7 +127,7 @@ struct PseudoWrench final : LoopCall<rme::Wrench<double>, PseudoWrenchInput> {
   }
   Entries entries(PseudoWrenchInput& in) const override { return entries_of(in.jacobian, in.tau_ext, in.damping); }
   Status call(Object& object, const PseudoWrenchInput& in) const override {
-    return rme::pseudo_wrench<double, 7>(in.jacobian, in.tau_ext, in.damping, object);
+    return rme::pseudo_wrench(in.jacobian, in.tau_ext, in.damping, object);
   }
   VectorXd answers(const Object& object) const override { return object.vector(); }
 };

@@ -34,7 +34,7 @@ TEST_CASE("pseudo_wrench: with little damping it is the wrench that made the tor
     const double s = oracle::singular_values(J)[5];
     const double damping = 1e-9;
     rme::Wrench<double> found;
-    REQUIRE(rme::pseudo_wrench<double, 7>(J, J.transpose() * w, damping, found) == Status::Ok);
+    REQUIRE(rme::pseudo_wrench(J, J.transpose() * w, damping, found) == Status::Ok);
     CHECK((found.vector() - w).norm() <= (damping + 1e-14) / (s * s) * w.norm());
   }
 }
@@ -49,7 +49,7 @@ TEMPLATE_TEST_CASE("pseudo_wrench: equals the published formula with an explicit
     const auto J = uniform<Jacobian7<TestType>>(random);
     const Torque7<TestType> tau = 10 * uniform<Torque7<TestType>>(random);
     rme::Wrench<TestType> found;
-    REQUIRE(rme::pseudo_wrench<TestType, 7>(J, tau, TestType(1e-2), found) == Status::Ok);
+    REQUIRE(rme::pseudo_wrench(J, tau, TestType(1e-2), found) == Status::Ok);
     const Eigen::MatrixXd Jd = J.template cast<double>();
     const Eigen::MatrixXd A = Jd * Jd.transpose() + 1e-2 * Eigen::MatrixXd::Identity(6, 6);
     const Eigen::VectorXd expected = oracle::inverse(A) * (Jd * tau.template cast<double>());
@@ -62,14 +62,14 @@ TEMPLATE_TEST_CASE("pseudo_wrench: equals the published formula with an explicit
 TEST_CASE("pseudo_wrench: a direction that no joint can feel gets no force", "[pseudo_wrench]") {
   rme::Wrench<double> found{{1, 2, 3}, {4, 5, 6}};
   const Torque7<double> tau = Torque7<double>::Constant(3);
-  REQUIRE(rme::pseudo_wrench<double, 7>(Jacobian7<double>::Zero(), tau, 1e-2, found) == Status::Ok);
+  REQUIRE(rme::pseudo_wrench(Jacobian7<double>::Zero(), tau, 1e-2, found) == Status::Ok);
   CHECK(found.vector() == rme::Vector6<double>::Zero());
 
   // One joint about z at lever (1, 0, 0): it feels f_y + n_z, J J^T has the one eigenvalue 2 along (0,1,0, 0,0,1), so
   // W = 3 / (2 + 0.01) along it.
   Eigen::Matrix<double, 6, 1> J;
   J << 0, 1, 0, 0, 0, 1;
-  REQUIRE(rme::pseudo_wrench<double, 1>(J, rme::JointVector<double, 1>(3.0), 1e-2, found) == Status::Ok);
+  REQUIRE(rme::pseudo_wrench(J, rme::JointVector<double, 1>(3.0), 1e-2, found) == Status::Ok);
   CHECK((found.vector() - 3 / 2.01 * J).norm() < 1e-12);
 }
 
@@ -84,17 +84,34 @@ TEST_CASE("pseudo_wrench: bad input is named and leaves the wrench as it was", "
     CAPTURE(bad);
     Jacobian7<double> bad_J = J;
     bad_J(4, 5) = bad;
-    CHECK(rme::pseudo_wrench<double, 7>(bad_J, tau, 1e-2, found) == Status::NonFiniteInput);
+    CHECK(rme::pseudo_wrench(bad_J, tau, 1e-2, found) == Status::NonFiniteInput);
     Torque7<double> bad_tau = tau;
     bad_tau.setConstant(bad);
-    CHECK(rme::pseudo_wrench<double, 7>(2 * J, bad_tau, 1e-2, found) == Status::NonFiniteInput);
+    CHECK(rme::pseudo_wrench(2 * J, bad_tau, 1e-2, found) == Status::NonFiniteInput);
   }
   for (const double damping : {0.0, -1e-3}) {
     CAPTURE(damping);
-    CHECK(rme::pseudo_wrench<double, 7>(J, tau, damping, found) == Status::NotPositiveDefinite);
+    CHECK(rme::pseudo_wrench(J, tau, damping, found) == Status::NotPositiveDefinite);
   }
-  CHECK(rme::pseudo_wrench<double, 7>(J, tau, nan, found) != Status::Ok);
+  CHECK(rme::pseudo_wrench(J, tau, nan, found) != Status::Ok);
   CHECK(found.vector() == before);
+}
+
+TEST_CASE("pseudo_wrench, in_end_effector_axes: a host's own arrays give what matrices give", "[pseudo_wrench]") {
+  const unsigned seed = 51;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  const auto rows = uniform<Eigen::Matrix<double, 6, 7, Eigen::RowMajor>>(random);  // row by row, as KDL's are
+  const auto tau = uniform<Torque7<double>>(random);
+  const auto R = uniform<Eigen::Matrix3d>(random);
+  const Jacobian7<double> own = rows;
+  rme::Wrench<double> from_map, from_matrix;
+  REQUIRE(rme::pseudo_wrench(Eigen::Map<const Eigen::Matrix<double, 6, 7, Eigen::RowMajor>>(rows.data()),
+                             Eigen::Map<const Torque7<double>>(tau.data()), 0.01, from_map) == Status::Ok);
+  REQUIRE(rme::pseudo_wrench(own, tau, 0.01, from_matrix) == Status::Ok);
+  CHECK((from_map.vector() - from_matrix.vector()).norm() < 1e-12 * from_matrix.vector().norm());
+  CHECK(rme::in_end_effector_axes(from_matrix, Eigen::Map<const Eigen::Matrix3d>(R.data())).vector() ==
+        rme::in_end_effector_axes(from_matrix, R).vector());
 }
 
 TEST_CASE("in_end_effector_axes: of a payload at rest it is the weight and its lever as the hand sees them",
@@ -117,15 +134,15 @@ TEST_CASE("in_end_effector_axes: of a payload at rest it is the weight and its l
       const auto J = uniform<Jacobian7<double>>(random);
       rme::Wrench<double> world;
       const Torque7<double> tau = J.transpose() * rme::payload_wrench(payload, rotation).vector();
-      REQUIRE(rme::pseudo_wrench<double, 7>(J, tau, 1e-13, world) == Status::Ok);
+      REQUIRE(rme::pseudo_wrench(J, tau, 1e-13, world) == Status::Ok);
       CHECK((rme::in_end_effector_axes(world, rotation).vector() - expected).norm() < 1e-7);
     }
   }
 }
 
-static_assert(noexcept(rme::pseudo_wrench<double, 7>(std::declval<const Jacobian7<double>&>(),
-                                                     std::declval<const Torque7<double>&>(), 1e-2,
-                                                     std::declval<rme::Wrench<double>&>())));
+static_assert(noexcept(rme::pseudo_wrench(std::declval<const Jacobian7<double>&>(),
+                                          std::declval<const Torque7<double>&>(), 1e-2,
+                                          std::declval<rme::Wrench<double>&>())));
 static_assert(noexcept(rme::in_end_effector_axes(std::declval<const rme::Wrench<double>&>(),
                                                  std::declval<const rme::Matrix3<double>&>())));
 

@@ -2,7 +2,6 @@
 /// Torque that carries the estimated payload, and the ramp that lets it in (Appendix B of the paper).
 #include <rme/core/payload.hpp>
 #include <rme/core/require.hpp>
-#include <rme/core/small_matrix.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 
@@ -11,16 +10,22 @@ namespace rme {
 /// tau_comp = -J^T w(theta_hat) [N m]: holds the payload against gravity. Added to the nominal controller's torque
 /// after all else (CPIC included); the nominal model is never corrected (docs/theory_control.md (C20)).
 /// @param payload   theta_hat, the estimate
-/// @param jacobian  J, 6xDofs
-/// @param rotation  R, end-effector axes to world axes
+/// @param jacobian  J, 6xDofs: a matrix, a map, a block
+/// @param rotation  R, 3x3, end-effector axes to world axes, likewise
 /// @param gravity   g [m/s^2], world axes
-template <typename Scalar, int Dofs>
-JointVector<Scalar, Dofs> compensation_torque(const Payload<Scalar>& payload,
-                                              const Eigen::Matrix<Scalar, 6, Dofs>& jacobian,
-                                              const Matrix3<Scalar>& rotation,
-                                              const Vector3<Scalar>& gravity = standard_gravity<Scalar>()) noexcept {
+/// @return one torque per column of J, Dofs x 1
+template <typename Scalar, typename Columns, typename Rotation>
+JointVector<Scalar, Columns::ColsAtCompileTime> compensation_torque(
+    const Payload<Scalar>& payload, const Eigen::MatrixBase<Columns>& jacobian,
+    const Eigen::MatrixBase<Rotation>& rotation, const Vector3<Scalar>& gravity = standard_gravity<Scalar>()) noexcept {
+  constexpr int kDofs = Columns::ColsAtCompileTime;
+  static_assert(Columns::RowsAtCompileTime == 6 && kDofs != Eigen::Dynamic,
+                "compensation_torque: a Jacobian of 6 rows and as many columns as the arm has joints, known when "
+                "compiled (else: RuntimeEstimator)");
   const Vector6<Scalar> wrench = payload_wrench(payload, rotation, gravity).vector();
-  return detail::scaled(Scalar(-1), detail::transposed_product(jacobian, wrench));
+  JointVector<Scalar, kDofs> torque;
+  for (int j = 0; j < kDofs; ++j) torque[j] = -jacobian.col(j).dot(wrench);
+  return torque;
 }
 
 /// U = m g.(p + R r) [J] (docs/theory_control.md (C21)): compensation_torque is -dU/dq. U is minus the payload's own
@@ -30,11 +35,13 @@ JointVector<Scalar, Dofs> compensation_torque(const Payload<Scalar>& payload,
 ///                  EnergyTank promises has the largest |U| in it
 /// @param rotation  R, end-effector axes to world axes
 /// @param gravity   g [m/s^2], world axes
-template <typename Scalar>
-Scalar compensation_potential(const Payload<Scalar>& payload, const Vector3<Scalar>& position,
-                              const Matrix3<Scalar>& rotation,
+template <typename Scalar, typename Position, typename Rotation>
+Scalar compensation_potential(const Payload<Scalar>& payload, const Eigen::MatrixBase<Position>& position,
+                              const Eigen::MatrixBase<Rotation>& rotation,
                               const Vector3<Scalar>& gravity = standard_gravity<Scalar>()) noexcept {
-  return payload.mass * gravity.dot(position + rotation * payload.com);
+  EIGEN_STATIC_ASSERT_VECTOR_SPECIFIC_SIZE(Position, 3);
+  EIGEN_STATIC_ASSERT_MATRIX_SPECIFIC_SIZE(Rotation, 3, 3);
+  return payload.mass * gravity.dot(position + rotation.lazyProduct(payload.com));
 }
 
 /// Settings of CompensationRamp.

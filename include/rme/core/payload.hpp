@@ -22,13 +22,15 @@ struct Payload {
 
 /// Wrench of a payload at rest on the end effector, w = [ m g ; (R r) x (m g) ] (docs/theory.md (T1)).
 /// @param payload   mass [kg] and centre of mass [m]
-/// @param rotation  R, end-effector axes to world axes
+/// @param rotation  R, 3x3, end-effector axes to world axes: a matrix, a map, a block
 /// @param gravity   g [m/s^2], world axes
-template <typename Scalar>
-Wrench<Scalar> payload_wrench(const Payload<Scalar>& payload, const Matrix3<Scalar>& rotation,
+template <typename Scalar, typename Rotation>
+Wrench<Scalar> payload_wrench(const Payload<Scalar>& payload, const Eigen::MatrixBase<Rotation>& rotation,
                               const Vector3<Scalar>& gravity = standard_gravity<Scalar>()) noexcept {
+  EIGEN_STATIC_ASSERT_MATRIX_SPECIFIC_SIZE(Rotation, 3, 3);
   const Vector3<Scalar> weight = detail::scaled(payload.mass, gravity);
-  return {weight, detail::product(rotation, payload.com).cross(weight)};
+  const Vector3<Scalar> lever = rotation.lazyProduct(payload.com);
+  return {weight, lever.cross(weight)};
 }
 
 }  // namespace rme

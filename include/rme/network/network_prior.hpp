@@ -109,7 +109,7 @@ bool NetworkPrior<Scalar, Architecture, NetworkScalar>::guess(const SampleWindow
   for (int i = 0; i < samples; ++i) {
     const Proprioception<Scalar, Dofs>& tick = window.newest(stride_ * static_cast<std::size_t>(samples - 1 - i)).raw;
     Wrench<Scalar> wrench;
-    if (pseudo_wrench<Scalar, Dofs>(tick.jacobian, tick.tau_ext, config_.damping, wrench) != Status::Ok) return false;
+    if (pseudo_wrench(tick.jacobian, tick.tau_ext, config_.damping, wrench) != Status::Ok) return false;
     if (network_->frame() == InputFrame::EndEffector) wrench = in_end_effector_axes<Scalar>(wrench, tick.rotation);
     input.row(i) = wrench.vector().transpose().template cast<NetworkScalar>();
   }

@@ -24,7 +24,7 @@ Status pseudo_wrench_sequence(int count, const At& at, Scalar damping, InputFram
   for (int i = 0; i < M; ++i) {
     const Proprioception<Scalar, Dofs>& sample = at((i + 1) * count / M - 1);
     Wrench<Scalar> wrench;
-    const Status status = pseudo_wrench<Scalar, Dofs>(sample.jacobian, sample.tau_ext, damping, wrench);
+    const Status status = pseudo_wrench(sample.jacobian, sample.tau_ext, damping, wrench);
     if (status != Status::Ok) return status;
     if (frame == InputFrame::EndEffector) wrench = in_end_effector_axes<Scalar>(wrench, sample.rotation);
     sequence.row(i) = wrench.vector().transpose().template cast<NetworkScalar>();

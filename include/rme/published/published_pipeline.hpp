@@ -193,7 +193,7 @@ auto PublishedPipeline<Scalar, Dofs, Network>::compensation(const Jacobian<Scala
     const Proprioception<Scalar, Dofs>& last = window_.newest();
     return compensation(last.jacobian, last.rotation);
   }
-  return compensation_torque<Scalar, Dofs>(state_.posterior.payload(), jacobian, rotation, config_.gravity);
+  return compensation_torque<Scalar>(state_.posterior.payload(), jacobian, rotation, config_.gravity);
 }
 
 }  // namespace rme

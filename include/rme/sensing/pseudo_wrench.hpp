@@ -9,14 +9,17 @@ namespace rme {
 
 /// Damped pseudo-wrench W = (J J^T + lambda I)^-1 J tau_ext, in world axes (docs/theory.md (T36); paper, Section 4.1).
 /// The damping keeps it bounded near a singularity; a Jacobian of zeros gives zero.
-/// @param jacobian     J, 6 x Dofs, world axes, linear rows first
-/// @param tau_ext      external joint torque [N m]
+/// @param jacobian     J, 6 x Dofs, world axes, linear rows first: a matrix, a map, a block
+/// @param tau_ext      external joint torque [N m], Dofs x 1, likewise
 /// @param damping      lambda [m^2 and rad^2 alike], > 0; the paper's value is 1e-2
 /// @param[out] wrench  as it was unless the status is Ok
 /// @return Ok; NonFiniteInput; NotPositiveDefinite for a damping that is not > 0
-template <typename Scalar, int Dofs>
-Status pseudo_wrench(const Jacobian<Scalar, Dofs>& jacobian, const JointVector<Scalar, Dofs>& tau_ext, Scalar damping,
-                     Wrench<Scalar>& wrench) noexcept {
+template <typename Scalar, typename Columns, typename Torque>
+Status pseudo_wrench(const Eigen::MatrixBase<Columns>& jacobian, const Eigen::MatrixBase<Torque>& tau_ext,
+                     Scalar damping, Wrench<Scalar>& wrench) noexcept {
+  constexpr int kDofs = Columns::ColsAtCompileTime;
+  static_assert(Columns::RowsAtCompileTime == 6 && kDofs != Eigen::Dynamic && Torque::SizeAtCompileTime == kDofs,
+                "pseudo_wrench: a Jacobian of 6 rows and as many columns as there are torques, known when compiled");
   Matrix6<Scalar> A;
   A.noalias() = jacobian * jacobian.transpose();
   A.diagonal().array() += damping;
@@ -33,9 +36,11 @@ Status pseudo_wrench(const Jacobian<Scalar, Dofs>& jacobian, const JointVector<S
 /// The same wrench in end-effector axes, diag(R^T, R^T) W: the force of a payload at rest then points along gravity in
 /// these axes, in every pose.
 /// @param wrench    world axes
-/// @param rotation  R, end-effector axes to world axes
-template <typename Scalar>
-Wrench<Scalar> in_end_effector_axes(const Wrench<Scalar>& wrench, const Matrix3<Scalar>& rotation) noexcept {
+/// @param rotation  R, 3x3, end-effector axes to world axes
+template <typename Scalar, typename Rotation>
+Wrench<Scalar> in_end_effector_axes(const Wrench<Scalar>& wrench,
+                                    const Eigen::MatrixBase<Rotation>& rotation) noexcept {
+  EIGEN_STATIC_ASSERT_MATRIX_SPECIFIC_SIZE(Rotation, 3, 3);
   return {rotation.transpose() * wrench.force, rotation.transpose() * wrench.moment};
 }
 

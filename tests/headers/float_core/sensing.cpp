@@ -53,7 +53,7 @@ bool pseudo_wrench_is_the_wrench_that_made_the_torque() {
     const Jacobian7 J = gaussian<Jacobian7>(random);
     const Vector6 wrench = gaussian<Vector6>(random, 10);
     rme::Wrench<float> w;
-    if (rme::pseudo_wrench<float, 7>(J, J.transpose() * wrench, 1e-4F, w) != Status::Ok) return false;
+    if (rme::pseudo_wrench(J, J.transpose() * wrench, 1e-4F, w) != Status::Ok) return false;
     // W = (1 + lambda (J J^T)^-1)^-1 w, so that the torque left over is no more than sqrt(lambda) / 2 |w|.
     if (!near(J.transpose() * w.vector(), J.transpose() * wrench, 0.006 * wrench.norm())) return false;
   }
