@@ -3,9 +3,11 @@
 // Reads logs in replay_log's format in which the hand is empty. Prints noise, offset, friction and what is left, joint
 // by joint; whether sign, units and frames can be right; the lightest payload that shows within 0.2, 1 and 5 s; and
 // what the estimator finds in the same logs with the settings that follow. With --output it writes those settings
-// (settings.json, for replay_log --config and for Estimator), and what plot.py draws. The logs should show what the arm
-// does at work: each joint in both directions, slowly and fast, with stops. Exit codes: 0; 1 the logs cannot be of this
-// arm as described; 2 unusable arguments; 3 unusable log or URDF.
+// (settings.json, for replay_log --config and for Estimator), and what plot.py draws. If other links explain measured
+// torque much better than the URDF's, the settings are for the arm with these, which is written beside them
+// (corrected.urdf). The logs should show what the arm does at work: each joint in both directions, slowly and fast,
+// with stops. Exit codes: 0; 1 the logs cannot be of this arm as described; 2 unusable arguments; 3 unusable log or
+// URDF.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,6 +23,7 @@
 #include "check_arm/observer_step.hpp"
 #include "io/program.hpp"
 #include "replay_log/options.hpp"
+#include "replay_log/settings_model.hpp"
 
 namespace {
 
@@ -30,6 +33,7 @@ constexpr const char* kUsage = "usage: check_arm LOG.csv[.gz]... [options]\n";
 constexpr const char* kOwnUsage =
     "  --span T0:T1        only what the logs hold of [T0, T1) [s]\n"
     "  --mass M            of a payload of this mass: how sure its centre will be [kg] (1)\n"
+    "  --keep-links        the URDF's links, whatever others would explain\n"
     "  --output FOLDER     settings.json, and what plot.py draws\n";
 
 constexpr double kWindows[] = {0.2, 1, 5};  // [s]
@@ -115,8 +119,7 @@ void print(const std::vector<JointFindings>& joints) {
   if (!growing.empty())
     std::printf(
         "friction grows with what joint %s carries, by the model's gravity: a payload adds friction, which the "
-        "estimator "
-        "does not model\n",
+        "estimator does not model\n",
         growing.c_str());
   std::printf("\n");
 }
@@ -226,98 +229,27 @@ double print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& sett
   return heaviest;
 }
 
+/// What was found of the logs with one model of the arm.
 template <int Dofs>
-void write(const std::string& folder, const Checked<Dofs>& checked, const std::vector<JointFindings>& joints,
-           const std::vector<Visibility>& seen, const rme::EstimatorConfig<double, Dofs>& config) {
-  make_folder("--output", folder);
-  std::ofstream(folder + "/settings.json") << rme::estimator_config_to_json(config).dump(2) << "\n";
-  std::ofstream blocks(folder + "/blocks.csv"), windows(folder + "/windows.csv");
-  blocks << "log,t";
-  for (const char* name : {"tau", "dq", "left"})
-    for (int j = 1; j <= Dofs; ++j) blocks << ',' << name << j;
-  for (std::size_t k = 0; k < checked.blocks.size(); ++k) {
-    const LogBlocks& log = checked.blocks[k];
-    const Eigen::MatrixXd left = unexplained(log, k, joints);
-    for (Eigen::Index i = 0; i < log.blocks(); ++i) {
-      blocks << '\n' << k << ',' << log.end[i];
-      for (const Eigen::MatrixXd* m : {&log.tau, &log.velocity, &left})
-        for (int j = 0; j < Dofs; ++j) blocks << ',' << (*m)(i, j);
-    }
-  }
-  windows << "window,mass,expected,moment";
-  for (const Visibility& v : seen)
-    windows << '\n' << v.window << ',' << v.mass << ',' << v.expected_mass << ',' << v.moment;
-  blocks << '\n';
-  windows << '\n';
-  if (!blocks.flush() || !windows.flush()) throw LogError(folder + ": cannot be written");
-}
+struct Findings {
+  Checked<Dofs> checked;
+  std::vector<JointFindings> joints;
+  std::vector<Visibility> seen;
+  ArmSettings<Dofs> settings;  ///< those that follow
+  bool good = true;            ///< sign, units and frames can be right
+};
 
-/// Whether other link masses explain the logs better; if so, they are written as a URDF.
+/// Prints what the logs say, and returns it.
+/// @param mass  of the payload whose centre of mass is spoken of [kg]
 template <int Dofs>
-void judge_links(const Checked<Dofs>& checked, const std::vector<JointFindings>& joints, const RecordedArm<Dofs>& arm,
-                 const UrdfChain& chain, const std::optional<std::string>& folder) {
-  constexpr double kWorthwhile = 2.0 / 3;  // of what is left
-  std::vector<LinkRegressors> regressors;
-  for (std::size_t k = 0; k < checked.logs.size(); ++k)
-    regressors.push_back(link_regressors(checked.logs[k], checked.samples[k], arm));
-  std::vector<RigidBody> bodies;
-  for (const Link& link : chain.links) bodies.push_back(link.body);
-  const LinkCorrection correction = correct_links(checked.blocks, regressors, joints, bodies);
-  std::printf(
-      "\nother masses, centres and inertias of the links and rotors would leave %.0f %% of what is left, out of sample",
-      100 * correction.left);
-  if (correction.left > kWorthwhile) {
-    std::printf(": no correction\n");
-    return;
-  }
-  std::printf(":\nlink                      mass [kg]: URDF, corrected    centre [m]: URDF, corrected\n");
-  UrdfChain better = chain;
-  for (std::size_t l = 0; l < better.links.size(); ++l) {
-    RigidBody& body = better.links[l].body;
-    const RigidBody was = body;
-    body = corrected(body, correction.addition[l]);
-    std::printf("%-30.30s %9.3f %9.3f   %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f\n", chain.joints[l].name.c_str(), was.mass,
-                body.mass, was.com[0], was.com[1], was.com[2], body.com[0], body.com[1], body.com[2]);
-  }
-  std::string rotors;
-  for (std::size_t j = 0; j < correction.rotor.size(); ++j) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%s%.3g", j > 0 ? "," : "",
-                  correction.rotor[j] + arm.rotor_inertia[static_cast<Eigen::Index>(j)]);
-    rotors += text;
-  }
-  if (!folder) {
-    std::printf("--output writes a URDF with them; the rotors: --rotor-inertia %s\n", rotors.c_str());
-    return;
-  }
-  make_folder("--output", *folder);
-  std::ofstream(*folder + "/corrected.urdf") << to_urdf(better);
-  std::printf(
-      "they are in %s/corrected.urdf; check again with\n--urdf %s/corrected.urdf --base base --tip tip --rotor-inertia "
-      "%s\n",
-      folder->c_str(), folder->c_str(), rotors.c_str());
-}
-
-template <int Dofs>
-int run(Arguments& arguments, const ArmRequest& request) {
-  ArmSettings<Dofs> settings = parse_settings<Dofs>(arguments, request);
-  const auto span = arguments.numbers("--span", 2, ':');
-  if (span && !((*span)[0] < (*span)[1])) throw ArgumentError("--span: T0 must be below T1");
-  const double mass = arguments.number("--mass").value_or(1);
-  if (!(mass > 0)) throw ArgumentError("--mass: must be above 0 kg");
-  const auto folder = arguments.text("--output");
-  std::vector<std::string> files;
-  do files.push_back(arguments.positional("LOG.csv"));
-  while (!arguments.empty());
-  for (const std::string& note : settings.notes) std::fprintf(stderr, "check_arm: %s\n", note.c_str());
-  const Checked<Dofs> checked = read<Dofs>(files, span, settings);
-  const std::vector<JointFindings> joints = find_joints(checked.blocks);
-
-  std::printf("%s, %d joints, rated for %.3g kg\n\n", settings.arm.model.name.c_str(), Dofs,
-              settings.config.rated_payload);
-  print(joints);
+Findings<Dofs> check(const std::vector<std::string>& files, const std::optional<std::vector<double>>& span,
+                     const ArmSettings<Dofs>& settings, double mass) {
+  Findings<Dofs> out{read<Dofs>(files, span, settings), {}, {}, settings, true};
+  const Checked<Dofs>& checked = out.checked;
+  out.joints = find_joints(checked.blocks);
+  print(out.joints);
   const bool measured = checked.logs.front().tau_ext.empty();
-  const bool good = judge_gravity(joints, measured);
+  out.good = judge_gravity(out.joints, measured);
   if (!measured) {
     double fastest = 0;
     for (std::size_t k = 0; k < checked.logs.size(); ++k)
@@ -329,13 +261,12 @@ int run(Arguments& arguments, const ArmRequest& request) {
       std::printf("no step in tau_ext while the arm rests, so the observer's bandwidth does not show; set: %g rad/s\n",
                   settings.config.observer_bandwidth);
   }
-  std::vector<Visibility> seen;
   for (const double window : kWindows)
-    seen.push_back(visibility(checked.blocks, joints, window, settings.config.rated_payload));
+    out.seen.push_back(visibility(checked.blocks, out.joints, window, settings.config.rated_payload));
   std::printf(
       "\nwithin [s]   lightest payload that shows [kg]   mass +- [kg]  (expected)   centre of mass of %g kg +- [mm]\n",
       mass);
-  for (const Visibility& v : seen) {
+  for (const Visibility& v : out.seen) {
     if (v.windows == 0)
       std::printf("%10.1f   the logs are shorter\n", v.window);
     else
@@ -345,23 +276,138 @@ int run(Arguments& arguments, const ArmRequest& request) {
   // The tracker takes the joints' errors as independent. An error that is common to all of them, such as that of a
   // link's mass, looks more like a payload.
   double surprise = 1;
-  for (const Visibility& v : seen)
+  for (const Visibility& v : out.seen)
     if (v.windows > 0 && v.expected_mass > 0) surprise = std::max(surprise, v.mass / v.expected_mass);
   if (surprise > 1.2)
     std::printf("the empty hand's mass is uncertain by up to %.1f times as much as independent errors explain\n",
                 surprise);
-  settings.config = settings_of<Dofs>(joints, settings);
-  settings.config.validate(0.001);
-  const double false_mass = print_beliefs<Dofs>(checked, settings);
+  out.settings.config = settings_of<Dofs>(out.joints, settings);
+  out.settings.config.validate(0.001);
+  const double false_mass = print_beliefs<Dofs>(checked, out.settings);
   if (false_mass > 0)
     std::printf("an empty hand was taken to hold up to %.3f kg: trust no lighter payload\n", false_mass);
-  if (folder) {
-    write<Dofs>(*folder, checked, joints, seen, settings.config);
-    std::printf("the settings are in %s/settings.json\n", folder->c_str());
-  } else {
-    std::printf("--output FOLDER writes the settings\n");
+  return out;
+}
+
+/// Whether other links and rotors explain the logs better; if so, `better` gets them.
+/// @return whether it did
+template <int Dofs>
+bool judge_links(const Findings<Dofs>& found, const ArmSettings<Dofs>& settings, ArmSettings<Dofs>& better) {
+  constexpr double kWorthwhile = 2.0 / 3;  // of what is left
+  const Checked<Dofs>& checked = found.checked;
+  std::vector<LinkRegressors> regressors;
+  for (std::size_t k = 0; k < checked.logs.size(); ++k)
+    regressors.push_back(link_regressors(checked.logs[k], checked.samples[k], settings.arm));
+  std::vector<RigidBody> bodies;
+  for (const Link& link : settings.chain->links) bodies.push_back(link.body);
+  const LinkCorrection correction = correct_links(checked.blocks, regressors, found.joints, bodies);
+  std::printf(
+      "\nother masses, centres and inertias of the links and rotors would leave %.0f %% of what is left, out of sample",
+      100 * correction.left);
+  if (correction.left > kWorthwhile) {
+    std::printf(": no correction\n");
+    return false;
   }
-  if (measured && request.chain) judge_links<Dofs>(checked, joints, settings.arm, *request.chain, folder);
+  std::printf(":\nlink                      mass [kg]: URDF, corrected    centre [m]: URDF, corrected\n");
+  for (std::size_t l = 0; l < bodies.size(); ++l) {
+    const RigidBody& was = bodies[l];
+    RigidBody& body = better.chain->links[l].body;
+    body = corrected(was, correction.addition[l]);
+    std::printf("%-30.30s %9.3f %9.3f   %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f\n", settings.chain->joints[l].name.c_str(),
+                was.mass, body.mass, was.com[0], was.com[1], was.com[2], body.com[0], body.com[1], body.com[2]);
+  }
+  for (int j = 0; j < Dofs; ++j) better.arm.rotor_inertia[j] += correction.rotor[static_cast<std::size_t>(j)];
+  better.arm.model = arm_model<Dofs>(*better.chain);
+  better.arm.model.gravity_vector = settings.arm.model.gravity_vector;
+  return true;
+}
+
+template <int Dofs>
+void write(const std::string& folder, const Findings<Dofs>& found) {
+  make_folder("--output", folder);
+  const ArmSettings<Dofs>& settings = found.settings;
+  nlohmann::json json = rme::estimator_config_to_json(settings.config);
+  if (settings.corrected) {
+    const auto &rotor = settings.arm.rotor_inertia, &load = settings.arm.load_friction;
+    json["model"] = model_to_json(*settings.chain, "corrected.urdf", {rotor.data(), rotor.data() + Dofs},
+                                  {load.data(), load.data() + Dofs});
+    std::ofstream(folder + "/corrected.urdf") << to_urdf(*settings.chain);
+  }
+  std::ofstream(folder + "/settings.json") << json.dump(2) << "\n";
+  std::ofstream blocks(folder + "/blocks.csv"), windows(folder + "/windows.csv");
+  blocks << "log,t";
+  for (const char* name : {"tau", "dq", "left"})
+    for (int j = 1; j <= Dofs; ++j) blocks << ',' << name << j;
+  for (std::size_t k = 0; k < found.checked.blocks.size(); ++k) {
+    const LogBlocks& log = found.checked.blocks[k];
+    const Eigen::MatrixXd left = unexplained(log, k, found.joints);
+    for (Eigen::Index i = 0; i < log.blocks(); ++i) {
+      blocks << '\n' << k << ',' << log.end[i];
+      for (const Eigen::MatrixXd* m : {&log.tau, &log.velocity, &left})
+        for (int j = 0; j < Dofs; ++j) blocks << ',' << (*m)(i, j);
+    }
+  }
+  windows << "window,mass,expected,moment";
+  for (const Visibility& v : found.seen)
+    windows << '\n' << v.window << ',' << v.mass << ',' << v.expected_mass << ',' << v.moment;
+  blocks << '\n';
+  windows << '\n';
+  if (!blocks.flush() || !windows.flush()) throw LogError(folder + ": cannot be written");
+}
+
+template <int Dofs>
+int run(Arguments& arguments, const ArmRequest& request) {
+  const ArmSettings<Dofs> settings = parse_settings<Dofs>(arguments, request);
+  const auto span = arguments.numbers("--span", 2, ':');
+  if (span && !((*span)[0] < (*span)[1])) throw ArgumentError("--span: T0 must be below T1");
+  const double mass = arguments.number("--mass").value_or(1);
+  if (!(mass > 0)) throw ArgumentError("--mass: must be above 0 kg");
+  const bool keep_links = arguments.flag("--keep-links");
+  const auto folder = arguments.text("--output");
+  std::vector<std::string> files;
+  do files.push_back(arguments.positional("LOG.csv"));
+  while (!arguments.empty());
+  for (const std::string& note : settings.notes) std::fprintf(stderr, "check_arm: %s\n", note.c_str());
+  std::printf("%s, %d joints, rated for %.3g kg\n\n", settings.arm.model.name.c_str(), Dofs,
+              settings.config.rated_payload);
+  Findings<Dofs> found = check<Dofs>(files, span, settings, mass);
+  const bool good = found.good, measured = found.checked.logs.front().tau_ext.empty();
+  if (good && measured && settings.chain && !keep_links) {
+    ArmSettings<Dofs> better = settings;
+    const bool links = judge_links<Dofs>(found, settings, better);
+    // With the URDF's links, what friction seems to owe to a load may be owed to a wrong load.
+    if (links) found.joints = find_joints(read<Dofs>(files, span, better).blocks);
+    bool friction = false;
+    for (int j = 0; j < Dofs; ++j) {
+      const double more = found.joints[static_cast<std::size_t>(j)].coulomb_per_load;
+      friction = friction || more > 0;
+      better.arm.load_friction[j] += more;
+    }
+    if (links || friction) {
+      better.corrected = true;
+      std::printf("\nthe same logs, with");
+      if (links) {
+        std::printf(" these links, rotors of");
+        for (int j = 0; j < Dofs; ++j) std::printf("%s %.3g", j > 0 ? "," : "", better.arm.rotor_inertia[j]);
+        std::printf(" kg m^2, gear included,\nand");
+      }
+      std::printf(" friction that takes");
+      for (int j = 0; j < Dofs; ++j) std::printf("%s %.3g", j > 0 ? "," : "", better.arm.load_friction[j]);
+      std::printf(" of the gravity torque that the arm itself puts on a joint:\n\n");
+      found = check<Dofs>(files, span, better, mass);
+    }
+  }
+  if (!folder) {
+    std::printf("--output FOLDER writes the settings\n");
+    return good ? 0 : 1;
+  }
+  write<Dofs>(*folder, found);
+  std::printf("the settings are in %s/settings.json\n", folder->c_str());
+  if (found.settings.corrected)
+    std::printf(
+        "they belong to the links of %s/corrected.urdf, those rotors and that friction, which --config takes with "
+        "them; a controller has to use the same\n",
+        folder->c_str());
   return good ? 0 : 1;
 }
 

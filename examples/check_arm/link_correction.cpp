@@ -144,13 +144,14 @@ std::string to_urdf(const UrdfChain& chain) {
     out << "<origin xyz=\"" << p.x() << ' ' << p.y() << ' ' << p.z() << "\" rpy=\"" << ypr[2] << ' ' << ypr[1] << ' '
         << ypr[0] << "\"/>";
   };
-  out << "<?xml version=\"1.0\"?>\n<robot name=\"" << chain.name << "\">\n  <link name=\"base\"/>\n";
-  std::string parent = "base";
+  out << "<?xml version=\"1.0\"?>\n<robot name=\"" << chain.name << "\">\n  <link name=\"" << chain.base << "\"/>\n";
+  std::string parent = chain.base;
   for (std::size_t i = 0; i < chain.links.size(); ++i) {
     const Link& link = chain.links[i];
     const ChainJoint& joint = chain.joints[i];
     const Eigen::Matrix3d& I = link.body.inertia;
-    const std::string name = joint.name + "_link";
+    std::string name = joint.name + "_link";
+    while (name == chain.base || name == chain.tip_link) name += "_";
     out << "  <link name=\"" << name << "\">\n    <inertial>";
     origin(link.body.com, Eigen::Matrix3d::Identity());
     out << "<mass value=\"" << link.body.mass << "\"/><inertia ixx=\"" << I(0, 0) << "\" ixy=\"" << I(0, 1)
@@ -166,8 +167,8 @@ std::string to_urdf(const UrdfChain& chain) {
         << (std::isfinite(joint.tau_max) ? joint.tau_max : 0) << "\"/>\n  </joint>\n";
     parent = name;
   }
-  out << "  <link name=\"tip\"/>\n  <joint name=\"tip_joint\" type=\"fixed\">\n    <parent link=\"" << parent
-      << "\"/><child link=\"tip\"/>";
+  out << "  <link name=\"" << chain.tip_link << "\"/>\n  <joint name=\"to_" << chain.tip_link
+      << "\" type=\"fixed\">\n    <parent link=\"" << parent << "\"/><child link=\"" << chain.tip_link << "\"/>";
   origin(chain.tip, chain.tip_rotation);
   out << "\n  </joint>\n</robot>\n";
   return out.str();

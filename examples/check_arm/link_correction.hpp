@@ -80,7 +80,7 @@ LinkCorrection correct_links(const std::vector<LogBlocks>& logs, const std::vect
 /// The body with an addition, made one that can exist.
 RigidBody corrected(const RigidBody& body, const InertialVector<double>& addition);
 
-/// A URDF of the arm, from link `base` to link `tip`: all that moves is its links, with what was welded to them.
+/// A URDF of the arm between the same base and tip: all that moves is its links, with what was welded to them.
 std::string to_urdf(const UrdfChain& chain);
 
 }  // namespace rme::examples

@@ -25,6 +25,8 @@ template <int Dofs>
 struct ArmSettings {
   RecordedArm<Dofs> arm;
   EstimatorConfig<double, Dofs> config;
+  std::optional<UrdfChain> chain;  ///< that the arm was made of; nothing: the Panda
+  bool corrected = false;          ///< the chain is not --urdf's but the settings' own ("model")
   std::vector<std::string> notes;  ///< what was assumed, one sentence each
 };
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "replay_log/options.hpp"
+#include "replay_log/settings_model.hpp"
 #include "run_network/json_file.hpp"
 
 namespace rme::examples {
@@ -24,7 +25,8 @@ auto named(const std::string& given, Make&& make) {
 }  // namespace detail
 
 template <int Dofs>
-ArmSettings<Dofs> parse_settings(Arguments& arguments, const ArmRequest& request) {
+ArmSettings<Dofs> parse_settings(Arguments& arguments, const ArmRequest& given) {
+  ArmRequest request = given;
   ArmSettings<Dofs> settings;
   EstimatorConfig<double, Dofs>& config = settings.config;
   bool rated = false;
@@ -32,6 +34,10 @@ ArmSettings<Dofs> parse_settings(Arguments& arguments, const ArmRequest& request
     const nlohmann::json json = read_json_file(*file);
     config = detail::named(*file, [&] { return estimator_config_from_json<double, Dofs>(json); });
     rated = json.contains("rated_payload");
+    if (json.contains("model")) {
+      settings.notes.push_back(use_model(json.at("model"), *file, request));
+      settings.corrected = true;
+    }
   }
   if (const auto sensing =
           arguments.choice<std::optional<Sensing>>("--preset", {{"unknown", std::nullopt},
@@ -41,6 +47,7 @@ ArmSettings<Dofs> parse_settings(Arguments& arguments, const ArmRequest& request
     config.sensing = *sensing;
   config.observer_bandwidth = arguments.number("--bandwidth").value_or(config.observer_bandwidth);
   settings.arm = recorded_arm<Dofs>(request, rated, config);
+  settings.chain = request.chain;
   if (request.chain && !request.rated_payload && !rated) {
     char text[120];
     std::snprintf(text, sizeof text, "rated payload %.2g kg, from the effort limits; --rated-payload sets it",

@@ -33,6 +33,7 @@ struct ArmRequest {
   std::optional<TorqueSign> torque_sign;
   std::vector<double> gains;          ///< none, or one for each joint [N m/A]
   std::vector<double> rotor_inertia;  ///< none, or one for each joint [kg m^2]
+  std::vector<double> load_friction;  ///< none, or one for each joint
   std::optional<Eigen::Vector3d> gravity;
 
   int dofs() const noexcept { return chain ? chain->dofs() : 7; }
@@ -48,6 +49,8 @@ struct RecordedArm {
   ArmModel<Dofs> model;
   JointVector<double, Dofs> gains = JointVector<double, Dofs>::Ones();          ///< [N m] for what `tau` is in; or 1
   JointVector<double, Dofs> rotor_inertia = JointVector<double, Dofs>::Zero();  ///< that `tau` moves as well [kg m^2]
+  /// By how much a moving joint's friction in `tau` grows with the gravity torque that it carries of the arm itself.
+  JointVector<double, Dofs> load_friction = JointVector<double, Dofs>::Zero();
   bool is_panda = false;  ///< the built-in one, whose friction is known: it is taken out of measured torque
 };
 
@@ -91,6 +94,17 @@ double likely_rated_payload(const ArmModel<Dofs>& model) {
   return rated;
 }
 
+/// Torque [N m] that friction which grows with the arm's own weight takes from each joint.
+template <int Dofs>
+JointVector<double, Dofs> load_friction(const RecordedArm<Dofs>& arm, const JointVector<double, Dofs>& q,
+                                        const JointVector<double, Dofs>& dq) {
+  constexpr double kSlow = 0.02;  // rad/s: below it a joint is not sure to move
+  if (arm.load_friction.isZero(0)) return JointVector<double, Dofs>::Zero();
+  const JointVector<double, Dofs> rest = JointVector<double, Dofs>::Zero();
+  const JointVector<double, Dofs> load = arm.model.dynamics(q, rest).gravity.cwiseAbs();
+  return arm.load_friction.cwiseProduct(load).cwiseProduct((dq / kSlow).array().tanh().matrix());
+}
+
 /// The arm of the request, and what its options change in `config`.
 /// @param rated  whether `config` says what the arm is rated for
 template <int Dofs>
@@ -105,6 +119,8 @@ RecordedArm<Dofs> recorded_arm(const ArmRequest& request, bool rated, EstimatorC
   if (!request.gains.empty()) arm.gains = Eigen::Map<const JointVector<double, Dofs>>(request.gains.data());
   if (!request.rotor_inertia.empty())
     arm.rotor_inertia = Eigen::Map<const JointVector<double, Dofs>>(request.rotor_inertia.data());
+  if (!request.load_friction.empty())
+    arm.load_friction = Eigen::Map<const JointVector<double, Dofs>>(request.load_friction.data());
   if (request.gravity) config.gravity = *request.gravity;
   if (request.torque_sign) config.torque_sign = *request.torque_sign;
   if (request.rated_payload)

@@ -82,6 +82,8 @@ class Reader {
     const auto path = path_of(base, tip);
     UrdfChain out;
     out.name = model_->getName();
+    out.base = base;
+    out.tip_link = tip;
     Eigen::Isometry3d at = Eigen::Isometry3d::Identity();  // the URDF's link, in the axes of the last that moves
     std::set<const urdf::Joint*> along(path.begin(), path.end());
     for (std::size_t k = 0; k < path.size(); ++k) {

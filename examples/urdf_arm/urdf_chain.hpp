@@ -30,7 +30,8 @@ struct ChainJoint {
 
 /// What moves between two links of a URDF, from the base. Its world axes are the base link's.
 struct UrdfChain {
-  std::string name;  ///< of the robot
+  std::string name;            ///< of the robot
+  std::string base, tip_link;  ///< links from which and to which it goes
   std::vector<Link> links;
   std::vector<ChainJoint> joints;
   Eigen::Vector3d tip;           ///< tip link's origin in the last moving link's axes [m]

@@ -21,6 +21,8 @@ namespace rme {
 ///      "arm": {"noise": [..], "offset": [..], "residual": [..], "coulomb": [..], "viscous": [..]},
 ///      "payload": {"mass_mean": 1, "mass_std": 1, "com_mean": [0, 0, 0.1], "com_std": [0.06, 0.06, 0.07]}}
 ///
+/// "model", where check_arm wrote one, is not read: it names the rigid-body model whose torque the settings describe,
+/// which the host has to use.
 /// For a RuntimeEstimator, Dofs is Eigen::Dynamic, and the RuntimeEstimator checks the vectors' sizes.
 /// @throws std::invalid_argument naming a field that is unknown, missing or of the wrong type or size, with what was
 ///         expected and what came. The Estimator checks ranges.
@@ -108,7 +110,8 @@ EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& o
   using Vector = JointVector<Scalar, Dofs>;
   EstimatorConfig<Scalar, Dofs> config;
   const detail::SettingsReader reader(
-      object, "", {"gravity", "torque_sign", "rated_payload", "observer_bandwidth", "sensing", "arm", "payload"});
+      object, "",
+      {"gravity", "torque_sign", "rated_payload", "observer_bandwidth", "sensing", "arm", "payload", "model"});
   if (const auto* v = reader.find("gravity")) config.gravity = detail::read_vector<Vector3<Scalar>>(*v, "gravity");
   if (const auto* v = reader.find("torque_sign"))
     config.torque_sign = detail::read_name(*v, "torque_sign", detail::kSigns, detail::kSignNames);

@@ -1,6 +1,8 @@
 #include <check_arm/link_correction.hpp>
 #include <filesystem>
 #include <random>
+#include <replay_log/settings_model.hpp>
+#include <run_network/json_file.hpp>
 #include <sstream>
 #include <string>
 #include <urdf_arm/urdf_chain.hpp>
@@ -32,7 +34,7 @@ TEST_CASE("to_urdf: the arm that is written is the arm that is read", "[link_cor
                                         std::tuple(RME_TEST_DATA "/urdf/six_joints_10kg.urdf", "world", "tool0")}) {
     CAPTURE(file);
     const UrdfChain chain = read_urdf(file, base, tip);
-    const UrdfChain back = parse_urdf(to_urdf(chain), "written.urdf", "base", "tip");
+    const UrdfChain back = parse_urdf(to_urdf(chain), "written.urdf", base, tip);
     const ArmModel<6> model = arm_model<6>(chain), again = arm_model<6>(back);
     CHECK(again.q_min == model.q_min);
     CHECK(again.tau_max == model.tau_max);
@@ -69,10 +71,11 @@ TEST_CASE("link_kinematics: the last link's is the flange's without a flange, an
 
 TEST_CASE("check_arm: an arm that is not its URDF is told, and what is written instead is nearer to it",
           "[link_correction]") {
-  // The forearm carries half a kilogram that the URDF does not know of, and the shoulder's rotor turns with the joint.
+  // The forearm carries half a kilogram that the URDF does not know of, the shoulder's rotor turns with the joint, and
+  // friction grows with what a joint carries.
   ArmModel<6> real = arm_model<6>(arm());
   real.links[2].body = real.links[2].body + box(0.5, {0.05, 0.02, 0.2}, {0.1, 0.1, 0.1});
-  constexpr double kRotor = 1.5;
+  constexpr double kRotor = 1.5, kLoadFriction = 0.06;
   std::mt19937 random(6);
   std::normal_distribution<double> noise(0, 0.05);
   std::ostringstream text;
@@ -91,24 +94,29 @@ TEST_CASE("check_arm: an arm that is not its URDF is told, and what is written i
     const auto terms = real.dynamics(q, dq);
     Vector tau = terms.mass_matrix * ddq + terms.coriolis + terms.gravity;
     tau[0] += kRotor * ddq[0];
-    for (int j = 0; j < 6; ++j) tau[j] += 0.3 * (dq[j] > 0 ? 1 : -1) + 0.2 * dq[j] + noise(random);
+    for (int j = 0; j < 6; ++j)
+      tau[j] += (0.3 + kLoadFriction * std::abs(terms.gravity[j])) * (dq[j] > 0 ? 1 : -1) + 0.2 * dq[j] + noise(random);
     text << '\n' << t;
     for (const Vector& v : {q, dq, tau})
       for (int j = 0; j < 6; ++j) text << ',' << v[j];
   }
   const TemporaryFile log("heavier.csv", text.str() + '\n'), folder("corrected", "");
   std::filesystem::remove(folder.name);
-  const auto told =
-      run(RME_CHECK_ARM,
-          log.name + " --urdf \"" + kUrdf + "\" --base base_link --tip tool0 --rated-payload 5 --output " + folder.name,
-          Stream::Output);
+  const std::string command = log.name + " --urdf \"" + kUrdf + "\" --base base_link --tip tool0 --rated-payload 5" +
+                              " --output " + folder.name;
+  const auto told = run(RME_CHECK_ARM, command, Stream::Output);
   CHECK(told.exit_code == 0);
-  CHECK_THAT(told.text, contains("check again with"));
-  const auto option = told.text.rfind("--rotor-inertia ");
-  REQUIRE(option != std::string::npos);
-  CHECK(std::stod(told.text.substr(option + 16)) == Approx(kRotor).epsilon(0.1));
+  CHECK_THAT(told.text, contains("the same logs, with these links, rotors of"));
+  const nlohmann::json settings = read_json_file(folder.name + "/settings.json");
+  ArmRequest request;
+  request.chain = arm();
+  CHECK_THAT(use_model(settings.at("model"), folder.name + "/settings.json", request),
+             contains(folder.name + "/corrected.urdf"));
+  CHECK(request.rotor_inertia.at(0) == Approx(kRotor).epsilon(0.1));
+  CAPTURE(told.text);
+  for (const std::size_t j : {1U, 2U}) CHECK(request.load_friction.at(j) == Approx(kLoadFriction).epsilon(0.2));
   const ArmModel<6> urdf = arm_model<6>(arm());
-  const ArmModel<6> better = arm_model<6>(read_urdf(folder.name + "/corrected.urdf", "base", "tip"));
+  const ArmModel<6> better = arm_model<6>(*request.chain);
   double before = 0, after = 0;
   for (int k = 0; k < 50; ++k) {  // poses like those of the log
     Vector q = drawn(random, 0.5);
@@ -119,6 +127,8 @@ TEST_CASE("check_arm: an arm that is not its URDF is told, and what is written i
   }
   CAPTURE(before, after);
   CHECK(std::sqrt(after) < 0.2 * std::sqrt(before));
+  CHECK_THAT(run(RME_CHECK_ARM, command + " --keep-links", Stream::Output).text, !contains("the same logs, with"));
+  CHECK_FALSE(read_json_file(folder.name + "/settings.json").contains("model"));
   std::filesystem::remove_all(folder.name);
 }
 
