@@ -119,7 +119,8 @@ std::vector<Belief> kdl_wrench(const Log<Dofs>& log, const Samples<Dofs>& sample
     const double t = log.t[row], step = k > 0 ? t - log.t[samples.row[k - 1]] : samples.timing.period;
     rme::JointVector<double, Dofs> tau = sign * arm.gains.cwiseProduct(log.tau[row]);
     while (block + 1 < blocks.blocks() && blocks.end[block] < t) ++block;
-    if (known.size() > 0) tau += known.row(block).transpose();  // tau_ext is what tau lacks
+    if (known.size() > 0)  // tau_ext is what tau lacks
+      tau += known.row(block).transpose() - load_friction(arm, log.q[row], samples.sample[k].dq);
     const double keep = std::exp(-step / kMemory);
     sum = keep * sum + step * tip.update(log.q[row], samples.sample[k].dq, tau);
     weight = keep * weight + step;

@@ -291,11 +291,13 @@ struct Hardware {
   }
 
   controller_interface::return_type tick() {
+    const Vector gravity = panda().dynamics(arm.q(), Vector::Zero()).gravity;
     for (int j = 0; j < 7; ++j) {
       const std::string& name = names[static_cast<std::size_t>(j)];
       handles.at(name + "/position")->value = arm.q()[j];
       handles.at(name + "/velocity")->value = arm.dq()[j];
-      handles.at(name + "/effort")->value = arm.tau_measured()[j] / gains[j];
+      const double friction = load_friction * std::abs(gravity[j]) * std::tanh(arm.dq()[j] / 0.02);
+      handles.at(name + "/effort")->value = (arm.tau_measured()[j] + friction) / gains[j];
     }
     if (torque_is_lost) handles.at("panda_joint7/effort")->value = kNaN;
     const auto result = controller.update(rclcpp::Time(), period);
@@ -321,6 +323,7 @@ struct Hardware {
   const std::vector<std::string> names = joint_names();
   const rclcpp::Duration period = rclcpp::Duration::from_seconds(kPeriod);
   Vector gains = Vector::Ones();  // [N m] for what `effort` is in
+  double load_friction = 0;       // that the motors give besides, for each N m of gravity torque on a joint that moves
   bool torque_is_lost = false;
 };
 
@@ -366,6 +369,8 @@ TEST_CASE("embedding.md: ros2_control's snippet takes motor currents, with the g
   std::ofstream(file) << R"({"rated_payload": 3, "torque_sign": "reaction"})";
   controller.get_node()->override_parameter("settings", file);
   controller.get_node()->override_parameter("gains", std::vector<double>{11, 12, 9, 10, 8, 7, 6});
+  hardware.load_friction = 0.1;
+  controller.get_node()->override_parameter("load_friction", std::vector<double>(7, 0.1));
   hardware.activate();
   (void)std::remove(file.c_str());
   REQUIRE(hardware.run(1000) == 1000);
@@ -402,6 +407,7 @@ TEST_CASE("embedding.md: ros2_control's snippet refuses what it cannot work with
        {Case{"end_effector", std::string("flange"), "no frame flange"}, Case{"joints", six, "expected 7 names"},
         Case{"joints", wrong, "no joint elbow"}, Case{"gains", std::vector<double>(6, 1), "expected 7 numbers"},
         Case{"rotor_inertia", std::vector<double>(8, 1), "expected 7 numbers"},
+        Case{"load_friction", std::vector<double>(8, 0), "expected 7 numbers"},
         Case{"rated_payload", 0.0, "rated_payload"}, Case{"rated_payload", -3.0, "rated_payload"},
         Case{"settings", std::string("nowhere.json"), "nowhere.json"}}) {
     CAPTURE(c.parameter, c.said);

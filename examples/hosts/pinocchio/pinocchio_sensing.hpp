@@ -52,11 +52,13 @@ class PinocchioSensing {
   /// @param config        the estimator's: its bandwidth is the observer's gain, its sign that of the arm's torque
   /// @param gains         torque per ampere of each joint, where the arm reports motor current [N m/A]
   /// @param rotors        inertia of each joint's rotor, gear included, where the torque accelerates the rotors as well
-  ///                      [kg m^2]. No URDF has it; check_arm prints it as --rotor-inertia
+  ///                      [kg m^2]
+  /// @param load_friction share of the gravity torque on each joint that friction takes while the joint moves. No URDF
+  ///                      has this or `rotors`; check_arm writes both into its settings, under "model"
   /// @throws std::invalid_argument saying what was expected and what came
   PinocchioSensing(const pinocchio::Model& arm, const std::string& end_effector, double period,
                    const rme::EstimatorConfig<double, Dofs>& config = {}, const Vector& gains = Vector::Ones(),
-                   const Vector& rotors = Vector::Zero())
+                   const Vector& rotors = Vector::Zero(), const Vector& load_friction = Vector::Zero())
       : model_(checked(arm, end_effector)),
         data_(model_),
         end_effector_(model_.getFrameId(end_effector)),
@@ -64,6 +66,7 @@ class PinocchioSensing {
         sign_(static_cast<double>(config.torque_sign)),
         gains_(gains),
         rotors_(rotors),
+        load_friction_(load_friction),
         observer_(kFilterPeriod, {Vector::Constant(config.observer_bandwidth)}) {
     model_.gravity.linear(config.gravity);
   }
@@ -80,7 +83,9 @@ class PinocchioSensing {
     mass_matrix_ = data_.M.template selfadjointView<Eigen::Upper>();  // Pinocchio fills the upper triangle alone
     mass_matrix_.diagonal() += rotors_;
     coriolis_transpose_.noalias() = data_.C.transpose() * dq;
-    const Vector torque = sign_ * gains_.cwiseProduct(tau);
+    const Vector friction =
+        load_friction_.cwiseProduct(data_.g.cwiseAbs()).cwiseProduct((dq / kSlow).array().tanh().matrix());
+    const Vector torque = sign_ * gains_.cwiseProduct(tau) - friction;
     const rme::Status status =
         observer_.update(torque, dq, mass_matrix_, coriolis_transpose_, data_.g, period > 0 ? period : period_);
     if (status != rme::Status::Ok) return status;
@@ -126,12 +131,13 @@ class PinocchioSensing {
 
   // The estimator expects a filter that advances each millisecond, however often the host looks [s].
   static constexpr double kFilterPeriod = 0.001;
+  static constexpr double kSlow = 0.02;  // rad/s: below it a joint is not sure to move
 
   pinocchio::Model model_;
   pinocchio::Data data_;
   pinocchio::FrameIndex end_effector_;
   double period_, sign_;
-  Vector gains_, rotors_;
+  Vector gains_, rotors_, load_friction_;
   rme::MomentumObserver<double, Dofs> observer_;
   rme::JointMatrix<double, Dofs> mass_matrix_;
   Vector coriolis_transpose_;

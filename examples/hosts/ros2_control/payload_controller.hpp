@@ -19,8 +19,8 @@ namespace hosts {
 // <snippet ros2_control>
 /// An effort controller whose nominal_torque() is what your update() computes today, gravity included. Parameters:
 /// `joints`, names of the arm's Dofs joints from the base; `end_effector`, name of a frame; `rated_payload` [kg], or
-/// `settings`, a file that check_arm wrote; `gains` [N m/A], where the state interface `effort` is a motor current, and
-/// `rotor_inertia` [kg m^2], where check_arm prints one.
+/// `settings`, a file that check_arm wrote; `gains` [N m/A], where the state interface `effort` is a motor current; and
+/// `rotor_inertia` [kg m^2] and `load_friction`, where the settings have a "model".
 template <int Dofs>
 class PayloadController : public controller_interface::ControllerInterface {
  public:
@@ -35,6 +35,7 @@ class PayloadController : public controller_interface::ControllerInterface {
     auto_declare<std::string>("settings", "");
     auto_declare<std::vector<double>>("gains", std::vector<double>(Dofs, 1));
     auto_declare<std::vector<double>>("rotor_inertia", std::vector<double>(Dofs, 0));
+    auto_declare<std::vector<double>>("load_friction", std::vector<double>(Dofs, 0));
     return CallbackReturn::SUCCESS;
   }
   controller_interface::InterfaceConfiguration command_interface_configuration() const override {
@@ -50,8 +51,10 @@ class PayloadController : public controller_interface::ControllerInterface {
       if (joints_.size() != Dofs) throw std::invalid_argument("joints: expected " + std::to_string(Dofs) + " names");
       const std::vector<double> gains = get_node()->get_parameter("gains").as_double_array();
       const std::vector<double> rotors = get_node()->get_parameter("rotor_inertia").as_double_array();
-      if (gains.size() != Dofs || rotors.size() != Dofs)
-        throw std::invalid_argument("gains, rotor_inertia: expected " + std::to_string(Dofs) + " numbers each");
+      const std::vector<double> friction = get_node()->get_parameter("load_friction").as_double_array();
+      if (gains.size() != Dofs || rotors.size() != Dofs || friction.size() != Dofs)
+        throw std::invalid_argument("gains, rotor_inertia, load_friction: expected " + std::to_string(Dofs) +
+                                    " numbers each");
       const std::string settings = get_node()->get_parameter("settings").as_string();
       rme::EstimatorConfig<double, Dofs> config;
       if (!settings.empty()) config = read_settings<Dofs>(settings);
@@ -63,7 +66,8 @@ class PayloadController : public controller_interface::ControllerInterface {
       pinocchio::Model robot;
       pinocchio::urdf::buildModelFromXML(get_robot_description(), robot);
       sensing_.emplace(arm_of(robot, joints_), get_node()->get_parameter("end_effector").as_string(), period, config,
-                       Eigen::Map<const Vector>(gains.data()), Eigen::Map<const Vector>(rotors.data()));
+                       Eigen::Map<const Vector>(gains.data()), Eigen::Map<const Vector>(rotors.data()),
+                       Eigen::Map<const Vector>(friction.data()));
       payload_.emplace(period, config);
     } catch (const std::exception& error) {
       RCLCPP_ERROR(get_node()->get_logger(), "%s", error.what());
