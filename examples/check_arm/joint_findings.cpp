@@ -167,7 +167,6 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
     JointFindings& joint = out[static_cast<std::size_t>(j)];
     // Autocovariance of what is left, up to five seconds.
     double stiction = 0, at_rest = 0, duration = 0, blocks = 0;
-    std::vector<double> bends;
     std::vector<double> covariance(251, 0.0), count(251, 0.0);
     for (std::size_t k = 0; k < logs.size(); ++k) {
       const LogBlocks& log = logs[k];
@@ -181,7 +180,6 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
           stiction += e[i] * e[i];
           ++at_rest;
         }
-        if (i >= 2) bends.push_back(e[i] - 2 * e[i - 1] + e[i - 2]);
         for (Eigen::Index lag = 0; lag <= std::min<Eigen::Index>(250, i); ++lag) {
           covariance[static_cast<std::size_t>(lag)] += e[i] * e[i - lag];
           ++count[static_cast<std::size_t>(lag)];
@@ -192,13 +190,14 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
       if (count[lag] > 0) covariance[lag] /= count[lag];
     const double block = blocks > 0 ? duration / blocks : 0.02;
     joint.stiction = at_rest > 0 ? std::sqrt(stiction / at_rest) : 0;
-    // Second differences leave little of what lasts: noise is at most what they show.
-    const double bend =
-        deviation(Eigen::Map<const Eigen::VectorXd>(bends.data(), static_cast<Eigen::Index>(bends.size())));
-    const double noise = std::min(covariance[0], bend * bend / 6), shared = covariance[0] - noise;
+    // After two blocks noise is gone, and what lasts is not. Neighbours may share a sample's noise.
+    double shared = 0;
+    for (std::size_t lag = 2; lag <= 6; ++lag) shared += covariance[lag] / 5;
+    shared = std::max(0.0, std::min(covariance[0], shared));
+    const double noise = covariance[0] - shared;
     joint.noise = std::sqrt(std::max(kLeast * kLeast, noise));
-    joint.residual = std::sqrt(std::max(0.0, shared));
-    std::size_t lag = 1;
+    joint.residual = std::sqrt(shared);
+    std::size_t lag = 2;
     while (lag + 1 < covariance.size() && covariance[lag] > shared * std::exp(-1.0)) ++lag;
     joint.correlation_time = block * static_cast<double>(lag);
     // Does the torque follow gravity?
