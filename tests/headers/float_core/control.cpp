@@ -11,7 +11,7 @@ bool compensation_carries_a_kilogram_and_the_ramp_lets_it_in() {
   Random random(7);
   const auto pose = rme::testing::random_pose(random);
   const auto tau =
-      rme::compensation_torque<float, 7>({1, {0.1F, 0, 0}}, pose.jacobian.cast<float>(), pose.rotation.cast<float>());
+      rme::compensation_torque<float>({1, {0.1F, 0, 0}}, pose.jacobian.cast<float>(), pose.rotation.cast<float>());
   const Eigen::Vector3d weight(0, 0, -9.81);
   const rme::Vector6<double> w =
       (rme::Vector6<double>() << weight, (0.1 * pose.rotation.col(0)).cross(weight)).finished();
