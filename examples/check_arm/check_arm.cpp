@@ -57,8 +57,6 @@ Checked<Dofs> read(const std::vector<std::string>& files, const std::optional<st
     if (log.size() < 2) throw LogError(log.name + ": has fewer than two rows, which gives no sample rate");
     require_empty_hand(log);
     out.samples.push_back(samples_of(log, settings.arm, settings.config));
-    for (const std::string& note : out.samples.back().timing.notes())
-      std::fprintf(stderr, "check_arm: %s: %s\n", log.name.c_str(), note.c_str());
     out.blocks.push_back(blocks_of(log, out.samples.back(), settings.arm));
     seconds += out.blocks.back().duration.sum();
     out.logs.push_back(log);
@@ -371,6 +369,9 @@ int run(Arguments& arguments, const ArmRequest& request) {
   std::printf("%s, %d joints, rated for %.3g kg\n\n", settings.arm.model.name.c_str(), Dofs,
               settings.config.rated_payload);
   Findings<Dofs> found = check<Dofs>(files, span, settings, mass);
+  for (std::size_t k = 0; k < found.checked.logs.size(); ++k)
+    for (const std::string& note : found.checked.samples[k].timing.notes())
+      std::fprintf(stderr, "check_arm: %s: %s\n", found.checked.logs[k].name.c_str(), note.c_str());
   const bool good = found.good, measured = found.checked.logs.front().tau_ext.empty();
   if (good && measured && settings.chain && !keep_links) {
     ArmSettings<Dofs> better = settings;
