@@ -347,6 +347,23 @@ TEST_CASE("SensorNoise: correlated innovations raise the residual, anticorrelate
   }
 }
 
+TEST_CASE("SensorNoise: an innovation beyond three deviations says no more of the residual than one of three",
+          "[noise]") {
+  Regime regime;
+  const Block block = moving(0.2);
+  regime.update(block);
+  const auto after = [&](double first) {
+    Noise noise(Sensing::LinkSide, prior());
+    for (const double e : {first, std::copysign(0.5, first)})
+      noise.learn(true, Joints::Constant(e), Joints::Ones(), block, regime);
+    return residual(noise);
+  };
+  CHECK(after(2) < after(3));
+  CHECK(after(3) == after(30));
+  CHECK(after(-3) == after(3));
+  CHECK(after(-30) == after(3));
+}
+
 TEST_CASE("SensorNoise: after 20 s of motion the residual is learned a tenth as fast, however long the arm has rested",
           "[noise]") {
   Regime regime;
