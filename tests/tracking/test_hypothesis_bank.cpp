@@ -547,6 +547,26 @@ Bank<7> bank_of(const Arm<7>& arm, Sensing sensing = Sensing::LinkSide) {
 
 const rme::InertialVector<double> kEmptyHand = rme::InertialVector<double>::Zero();
 
+TEST_CASE("HypothesisBank: before a block is looked at, an exchange is twenty times less likely on a rough arm",
+          "[bank]") {
+  // The block shows nothing of any payload, nor of a push, so that what is likely after it was likely before. A rough
+  // arm's bank looks at an exchange however unlikely it is.
+  Arm<kJoints> arm(3);
+  Bank<kJoints> bank(Sensing::RoughModel, arm.prior, rme::PayloadPrior<double>::of(kRated), kRated);
+  double exchanged = 0, other = 0;
+  for (const Hypothesis from : kAll) {
+    const auto& row = rme::kTransitions[static_cast<std::size_t>(from)];
+    exchanged += bank.probability(from) * row[static_cast<std::size_t>(Hypothesis::Exchanged)] / 20;
+    for (const Hypothesis to : kAll)
+      if (to != Hypothesis::Exchanged) other += bank.probability(from) * row[static_cast<std::size_t>(to)];
+  }
+  take_in(bank, arm.block_at_rest(), arm.regime);
+  // Some of the payload's prior is heavier than an arm can hold, or too light to be told from nothing.
+  const double kept = bank.probability(Hypothesis::Exchanged) / (exchanged / (exchanged + other));
+  CHECK(kept < 1);
+  CHECK(kept > 0.6);
+}
+
 TEST_CASE("HypothesisBank: an attached payload is found within two blocks, and its removal too", "[bank]") {
   for (unsigned seed = 570; seed < 600; ++seed) {
     CAPTURE(seed);

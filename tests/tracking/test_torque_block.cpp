@@ -51,6 +51,13 @@ bool always(int) {
   return true;
 }
 
+TEST_CASE("BlockContext: by default nothing is known of the block, and every kind of sensing is likely", "[block]") {
+  const rme::BlockContext context;
+  CHECK_FALSE(context.exchange_likely);
+  CHECK(context.kind_likely);
+  CHECK_FALSE(context.friction_shows);
+}
+
 TEST_CASE("BlockAverager: a step of the torque is there in full from the first block after it", "[block]") {
   const Joints before(0.3, -0.2, 0.1), after(4, -7, 2);
   const auto torque = [&](int k) { return k <= 40 ? before : after; };  // the third block's first sample is k = 41
