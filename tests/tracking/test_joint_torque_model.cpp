@@ -45,17 +45,14 @@ struct Scene {
     block.velocities = velocity.replicate<1, rme::kBlockParts>();
     block.torque_step = torque_step;
     regime.update(block);
-    if (friction_shows)
-      model.begin(block, regime, true);
-    else
-      model.begin(block, regime);
+    model.begin(block, regime, context);
     model.predict(star);
   }
   double deviation(int j, rme::Nuisance n) const { return std::sqrt(star.joint(j).covariance(n, n)); }
 
   Model model;
   Regime regime;
-  bool friction_shows = false;
+  rme::BlockContext<double> context;
   rme::StarGaussian<double, kDofs> star;
 };
 
@@ -256,14 +253,44 @@ TEST_CASE("JointTorqueModel: what holds a resting joint turns over as its torque
       CAPTURE(shows, speed);
       const double counts = shows || speed > 0 ? 1 : 0;
       Scene step(Sensing::JointFriction);
-      step.friction_shows = shows;
+      step.context.friction_shows = shows;
       step.block(Joints::Zero());
       turned(step, speed, {0.18, 0.37}, 0);
       turned(step, speed, {1, 0.2}, counts * 0.25 * (0.8 * (1 - 0.2 * 0.18) - 0.15));
       Scene ramp(Sensing::JointFriction);
-      ramp.friction_shows = shows;
+      ramp.context.friction_shows = shows;
       for (int k = 0; k < 200; ++k) ramp.block(Joints::Zero(), Joints(-0.2 * k, 3));
       turned(ramp, speed, {-0.2 * 200, 3}, counts * (0.2 - 0.25 * 0.15));
+    }
+  }
+}
+
+TEST_CASE("JointTorqueModel: what holds a resting joint turns over as its own compensation changes, however slowly",
+          "[joint_torque]") {
+  const unsigned seed = 704;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const double keep = std::exp(-kPeriod / 0.04);  // of what is yet to show in tau_ext, over a block
+  for (const bool shows : {true, false}) {
+    CAPTURE(shows);
+    Scene scene(Sensing::JointFriction);
+    scene.context.friction_shows = shows;
+    scene.block(Joints::Zero());
+    // Joint 1 sees a hundredth of 0.7 of what phi changes by, either way; joint 0 nothing.
+    double pending = 0;
+    for (const double change : {0.01, 0.0, -0.02, 0.0}) {
+      CAPTURE(change);
+      scene.context.compensation_change[3] = change;
+      const auto before = scene.star = any_star(random);
+      scene.block(Joints::Zero());
+      pending += 0.7 * std::abs(change);
+      Life life = life_of(scene, 1, Sensing::JointFriction, 0);
+      hold(life, shows ? std::exp(-(1 - keep) * pending / kArm.coulomb[1]) : 1, std::pow(0.6 * kArm.coulomb[1], 2));
+      pending *= keep;
+      check_life(before, scene.star, 1, life);
+      life = life_of(scene, 0, Sensing::JointFriction, 0);
+      hold(life, 1, std::pow(0.6 * kArm.coulomb[0], 2));
+      check_life(before, scene.star, 0, life);
     }
   }
 }

@@ -52,10 +52,11 @@ bool always(int) {
 }
 
 TEST_CASE("BlockContext: by default nothing is known of the block, and every kind of sensing is likely", "[block]") {
-  const rme::BlockContext context;
+  const rme::BlockContext<double> context;
   CHECK_FALSE(context.exchange_likely);
   CHECK(context.kind_likely);
   CHECK_FALSE(context.friction_shows);
+  CHECK(context.compensation_change.isZero(0));
 }
 
 TEST_CASE("BlockAverager: a step of the torque is there in full from the first block after it", "[block]") {

@@ -37,7 +37,7 @@ class HypothesisBank {
   /// @param regime   which joints rest in it
   /// @param context  what else is known of it
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
-             const BlockContext& context) noexcept;
+             const BlockContext<Scalar>& context) noexcept;
   /// Mixes, predicts and updates one hypothesis, the one that comes `step`th, 0 .. kHypotheses - 1: first the likeliest
   /// one that needs no event. If that explains the block, most others are out of the question.
   void evaluate(std::size_t step) noexcept;
@@ -169,8 +169,8 @@ void HypothesisBank<Scalar, Dofs>::reopen_offsets() noexcept {
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                          const FrictionRegime<Scalar, Dofs>& regime,
-                                         const BlockContext& context) noexcept {
-  model_.begin(block, regime, context.friction_shows);
+                                         const BlockContext<Scalar>& context) noexcept {
+  model_.begin(block, regime, context);
   exchange_likely_ = context.exchange_likely;
   exchange_anew_ = since_exchange_ < Scalar(kSettling) && since_exchange_ + block.duration >= Scalar(kSettling) &&
                    worst_ > Scalar(kSpoilt);

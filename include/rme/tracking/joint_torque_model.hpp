@@ -49,12 +49,12 @@ class JointTorqueModel {
     return star;
   }
   /// Starts a block: what follows is about it.
-  /// @param block           the next one
-  /// @param regime          which joints rest in it
-  /// @param friction_shows  it is certain that joint friction shows in tau_ext: otherwise what changes the torque of an
-  ///                        arm that rests is not taken for its friction
+  /// @param block    the next one
+  /// @param regime   which joints rest in it
+  /// @param context  what else is known of it; unless friction is certain to show, what changes the torque of an arm
+  ///                 that rests is not taken for its friction
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
-             bool friction_shows = false) noexcept;
+             const BlockContext<Scalar>& context = {}) noexcept;
   /// How the nuisances change over the block, before its torque is taken in.
   void predict(Star& star) const noexcept;
   /// @param j     0 .. Dofs - 1
@@ -123,6 +123,7 @@ class JointTorqueModel {
   static constexpr double kStopNoise = 20;
 
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
+  void follow_compensation(const TorqueBlock<Scalar, Dofs>& block, const InertialVector<Scalar>& change) noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   /// Of what may hold a resting joint [(N m)^2]: 0.6 of the Coulomb friction to expect, and no more friction than
   /// motion has shown.
@@ -144,6 +145,8 @@ class JointTorqueModel {
   // Of each joint: its torque of late, and by how much that changes within this block beyond noise [N m].
   JointVector<Scalar, Dofs> recent_torque_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> torque_change_ = JointVector<Scalar, Dofs>::Zero();
+  // Changes of its own compensation that are yet to reach it, and what of them falls into this block [N m].
+  JointVector<Scalar, Dofs> pending_ = JointVector<Scalar, Dofs>::Zero(), shifted_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> timing_noise_, inertia_noise_;  // [(N m)^2], [(N m / kg)^2]
 };
 

@@ -30,10 +30,13 @@ struct TorqueBlock {
 };
 
 /// What is known of a block beside its samples.
+template <typename Scalar>
 struct BlockContext {
   bool exchange_likely = false;  ///< the host says that the payload changes now
   bool kind_likely = true;       ///< the arm may well have this bank's kind of torque sensing
   bool friction_shows = false;   ///< it is certain that joint friction shows in tau_ext
+  /// By how much phi has changed since the block before, from which the compensation is computed [kg, kg m, kg m^2].
+  InertialVector<Scalar> compensation_change = InertialVector<Scalar>::Zero();
 };
 
 /// Gathers samples into blocks.

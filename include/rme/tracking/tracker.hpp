@@ -62,9 +62,13 @@ class Tracker {
     regime_.update(block);
     duration_ = block.duration;
     speed_ = block.velocity.norm();
-    BlockContext context;
+    BlockContext<Scalar> context;
     context.exchange_likely = exchange_likely;
     context.friction_shows = belief_.sensing[static_cast<std::size_t>(Sensing::LinkSide)] < Scalar(kCertain);
+    const InertialVector<Scalar> carried =
+        detail::scaled(Scalar(1) - belief_.probability[Hypothesis::Empty], belief_.payload.mean);
+    context.compensation_change = detail::difference(carried, carried_);
+    carried_ = carried;
     for (std::size_t k = 0; k < kSensings; ++k) {
       context.kind_likely = belief_.sensing[k] > Scalar(kUnlikely);
       banks_[k].begin(block, regime_, context);
@@ -214,6 +218,7 @@ class Tracker {
   int step_ = 0;                                        // that are left for this block
   Scalar duration_ = Scalar(0), speed_ = Scalar(0);
   TrackerBelief<Scalar> belief_;
+  InertialVector<Scalar> carried_ = InertialVector<Scalar>::Zero();  // phi that belief_ had at the block before
 };
 
 }  // namespace rme

@@ -8,7 +8,8 @@ namespace rme {
 
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
-                                           const FrictionRegime<Scalar, Dofs>& regime, bool friction_shows) noexcept {
+                                           const FrictionRegime<Scalar, Dofs>& regime,
+                                           const BlockContext<Scalar>& context) noexcept {
   constexpr double kTiming = 0.0006;  // [s]
   // tau and the motion that goes with it may be a millisecond apart; and the lag of an observer that is not quite what
   // it is said to be is left in as a share of every change.
@@ -20,6 +21,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   }
   noise_.watch(block, timing_noise_);
   follow_torque(block);
+  follow_compensation(block, context.compensation_change);
   turn(block);
   started_ = true;
   // Noise of dq at both ends of the block is noise of the flange's acceleration: of the force on the payload, and of
@@ -44,7 +46,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     inertia_noise_[j] = linear * lever[j] + (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) * turn[j];
   block_ = block;
   regime_ = regime;
-  friction_shows_ = friction_shows;
+  friction_shows_ = context.friction_shows;
 }
 
 /// A joint that rests balances whatever comes: its torque changes as that of its motor does, and its friction with it.
@@ -62,6 +64,24 @@ void JointTorqueModel<Scalar, Dofs>::follow_torque(const TorqueBlock<Scalar, Dof
     recent_torque_[j] = keep * recent_torque_[j] + (Scalar(1) - keep) * block.tau[j];
     const Scalar ahead = abs(block.tau[j] - recent_torque_[j]) - Scalar(kNoise) * sqrt(noise_.variance(j));
     torque_change_[j] = std::max(Scalar(0), ahead * (Scalar(1) - keep) / keep);
+  }
+}
+
+/// So a resting joint confirms any compensation: by as much as that grows, the joint's torque does, whatever is held.
+/// Slow changes are lost in the noise of the torque, but they are known beforehand.
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::follow_compensation(const TorqueBlock<Scalar, Dofs>& block,
+                                                         const InertialVector<Scalar>& change) noexcept {
+  using std::abs;
+  using std::exp;
+  constexpr double kDelay = 0.04;  // until a new compensation shows in tau_ext: drive, arm and observer [s]
+  const Scalar keep = exp(-block.duration / Scalar(kDelay));
+  for (int j = 0; j < Dofs; ++j) {
+    Scalar torque = Scalar(0);
+    for (int i = 0; i < kInertial; ++i) torque += block.regressor(j, i) * change[i];
+    pending_[j] += abs(torque);
+    shifted_[j] = (Scalar(1) - keep) * pending_[j];
+    pending_[j] *= keep;
   }
 }
 
@@ -134,7 +154,8 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
       const Scalar off = Scalar(0.15) * joint.mean[kCoulomb];
       V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
     } else if (regime_.rests(j)) {
-      const Scalar change = regime_.arm_moves() || friction_shows_ ? torque_change_[j] : Scalar(0);
+      const Scalar change = (regime_.arm_moves() || friction_shows_ ? torque_change_[j] : Scalar(0)) +
+                            (friction_shows_ ? shifted_[j] : Scalar(0));
       const Scalar held = hold * exp(-change / arm_.coulomb[j]), variance = stiction_variance(star, j);
       scale(kStiction, held);
       V(kStiction, kStiction) += (Scalar(1) - held * held) * variance;
