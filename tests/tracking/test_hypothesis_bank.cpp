@@ -547,6 +547,35 @@ Bank<7> bank_of(const Arm<7>& arm, Sensing sensing = Sensing::LinkSide) {
 
 const rme::InertialVector<double> kEmptyHand = rme::InertialVector<double>::Zero();
 
+TEST_CASE("HypothesisBank: what a likelier hypothesis explains is left out below 0.002, below 0.02 of an unlikely kind",
+          "[bank]") {
+  // A steady payload, blocks without noise, and a pour that is believed to go on by so much.
+  for (const bool kind_likely : {true, false}) {
+    for (const double pour : {0.0005, 0.01, 0.05}) {
+      CAPTURE(kind_likely, pour);
+      Arm<kJoints> arm(571);
+      arm.pose();
+      Bank<kJoints> bank(rme::Sensing::LinkSide, arm.prior, rme::PayloadPrior<double>::of(kRated), kRated);
+      const auto held = box(0.8, {0.02, 0, 0.1});
+      const auto next = [&](bool likely) {
+        const auto block = arm.block(held, rme::Vector6<double>::Zero(), 0);
+        arm.regime.update(block);
+        rme::BlockContext<double> context;
+        context.kind_likely = likely;
+        bank.begin(block, arm.regime, context);
+        for (std::size_t i = 0; i < rme::kHypotheses; ++i) bank.evaluate(i);
+        (void)bank.finish();
+      };
+      for (int k = 0; k < 100; ++k) next(true);
+      REQUIRE(bank.probability(Hypothesis::Steady) > 0.99);
+      bank.believe(Hypothesis::Filling, pour);
+      next(kind_likely);
+      const bool left_out = pour < (kind_likely ? 0.002 : 0.02);
+      CHECK((bank.probability(Hypothesis::Filling) == 0) == left_out);
+    }
+  }
+}
+
 TEST_CASE("HypothesisBank: before a block is looked at, an exchange is twenty times less likely on a rough arm",
           "[bank]") {
   // The block shows nothing of any payload, nor of a push, so that what is likely after it was likely before. A rough

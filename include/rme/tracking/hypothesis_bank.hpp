@@ -65,6 +65,9 @@ class HypothesisBank {
   static constexpr std::size_t index(Hypothesis h) noexcept { return static_cast<std::size_t>(h); }
   /// Of a hypothesis that enters another by less than this, nothing is mixed in.
   static constexpr double kNegligible = 1e-4;
+  /// Below it, a hypothesis is left out of a block that a more likely one explains; and so where the arm hardly has this
+  /// kind of torque sensing.
+  static constexpr double kImprobable = 0.002, kImprobableKind = 0.02;
   /// A rough arm's torque changes by what a payload makes more often than its payload does.
   static constexpr double kRoughExchange = 0.05;
   static constexpr double kAge = 0.1 - 1e-6;        // [s]
@@ -118,7 +121,8 @@ class HypothesisBank {
   Scalar unloaded_ = Scalar(0);  // share of what the hypothesis taken in begins with in which something else was so
   bool exchange_likely_ = false;
   bool exchange_anew_ = false;  // the exchange is looked at anew
-  bool patient_ = false;        // what is unlikely is looked at all the same: a large residual hides it for seconds
+  bool kind_likely_ = true;
+  bool patient_ = false;  // what is unlikely is looked at all the same: a large residual hides it for seconds
   Scalar innovation_squared_ = Scalar(1);
 };
 
@@ -174,7 +178,8 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
   exchange_likely_ = context.exchange_likely;
   exchange_anew_ = since_exchange_ < Scalar(kSettling) && since_exchange_ + block.duration >= Scalar(kSettling) &&
                    worst_ > Scalar(kSpoilt);
-  patient_ = model_.rough() && context.kind_likely;
+  kind_likely_ = context.kind_likely;
+  patient_ = model_.rough() && kind_likely_;
   for (std::size_t to = 0; to < kHypotheses; ++to) {
     Scalar sum = Scalar(0);
     for (std::size_t from = 0; from < kHypotheses; ++from) sum += transition(from, to) * probability_.values[from];
@@ -195,8 +200,8 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
   }
 }
 
-/// Whether the likeliest hypothesis explains the block well enough for all that are hundreds of times less likely
-/// beforehand, and have a prior of some dimensions to pay for, to be out of the question.
+/// Whether the likeliest hypothesis explains the block well enough for all that are far less likely beforehand, and have
+/// a prior of some dimensions to pay for, to be out of the question.
 template <typename Scalar, int Dofs>
 bool HypothesisBank<Scalar, Dofs>::settled_explains() const noexcept {
   for (const Hypothesis h : {Hypothesis::Empty, Hypothesis::Steady})
@@ -209,7 +214,8 @@ void HypothesisBank<Scalar, Dofs>::evaluate(std::size_t step) noexcept {
   const bool empty_first = predicted_[Hypothesis::Empty] > predicted_[Hypothesis::Steady];
   const auto h = static_cast<Hypothesis>(step < 2 && !empty_first ? 1 - step : step);
   const bool needed = exchange_likely_ || patient_ || (exchange_anew_ && h == Hypothesis::Exchanged);
-  if (step > 0 && !needed && predicted_[h] < Scalar(0.002) && settled_explains()) in_question_[h] = false;
+  const auto improbable = static_cast<Scalar>(kind_likely_ ? kImprobable : kImprobableKind);
+  if (step > 0 && !needed && predicted_[h] < improbable && settled_explains()) in_question_[h] = false;
   if (in_question_[h]) take_in(h);
   if (step + 1 < kHypotheses) return;
   model_.predict(before_);  // now that nothing begins with them any more, they come up to this block
