@@ -825,6 +825,28 @@ TEST_CASE("HypothesisBank: motion that shows nothing of the payload makes it les
   CHECK(variance > 0.3 * prior.mass_std * prior.mass_std);
 }
 
+TEST_CASE("HypothesisBank: motion that shows nothing of the payload makes its mass less certain, and not its inertia",
+          "[bank]") {
+  Arm<7> arm(694);
+  arm.pose();
+  auto bank = bank_of(arm);
+  live(bank, arm, 100, kEmptyHand);
+  const auto held = box(1.5, {0.02, 0.01, 0.1});
+  bank.set_payload(held, rme::InertialMatrix<double>(1e-4 * rme::InertialMatrix<double>::Identity()));
+  bank.believe(Hypothesis::Steady, 0.999999);
+  live(bank, arm, 3, held);
+  REQUIRE(bank.probability(Hypothesis::Steady) > 0.99);
+  const rme::InertialMatrix<double> before = bank.star(Hypothesis::Steady).covariance();
+  auto block = arm.block(kEmptyHand);
+  block.regressor.setZero();
+  block.velocity.setConstant(2);
+  block.velocities.setConstant(2);
+  take_in(bank, block, arm.regime);
+  const rme::InertialMatrix<double> after = bank.star(Hypothesis::Steady).covariance();
+  for (int i = 0; i < 4; ++i) CHECK(after(i, i) > 1.01 * before(i, i));
+  for (int i = 4; i < rme::kInertial; ++i) CHECK(after(i, i) == Approx(before(i, i)).epsilon(1e-3));
+}
+
 TEST_CASE("HypothesisBank: noise of dq is noise of the payload's inertia force, and no event", "[bank]") {
   // Of 2 mrad/s, at both ends of a block: 0.14 rad/s^2 in each joint.
   for (unsigned seed = 671; seed < 676; ++seed) {

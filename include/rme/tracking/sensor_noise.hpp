@@ -169,7 +169,7 @@ class SensorNoise {
   static constexpr double kKeep = 0.96;           // of a block: the average looks half a second back
   static constexpr double kRoughKeep = 0.9;       // 0.2 s
   static constexpr double kShare = 0.5;           // of the size of innovations, in the evidence
-  static constexpr double kForgetting = 0.3;      // [1/rad], where the residual is what is usual
+  static constexpr double kForgetting = 0.35;     // [1/rad], where the residual is what is usual
   static constexpr double kMostForgetting = 4;    // times that of a joint whose residual is twice as large, or larger
   static constexpr double kUsualResidual = 0.02;  // [N m] of the arm's scale
 

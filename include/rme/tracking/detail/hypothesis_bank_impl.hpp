@@ -134,7 +134,8 @@ Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept 
 }
 
 /// What the payload's torque has shown some way ago counts less, where the arm's model is off (docs/theory.md (T28)).
-/// What motion does not show returns to the prior, and no further.
+/// What motion does not show returns to the prior, and no further. The inertia is kept: it shows in accelerations, and
+/// the model's error in poses.
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::forget(Star& star) const noexcept {
   using std::exp;
@@ -142,7 +143,9 @@ void HypothesisBank<Scalar, Dofs>::forget(Star& star) const noexcept {
   const Scalar grown = model_.noise().forgetting() * block.velocity.norm() * block.duration;
   if (!(grown > Scalar(1e-6))) return;
   const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, star.mean()[0]));
-  star.widen(exp(Scalar(0.5) * grown), payload_.factor(mass * mass));
+  InertialMatrix<Scalar> bound = payload_.factor(mass * mass);
+  for (int i = 4; i < kInertial; ++i) bound(i, i) = Scalar(0);
+  star.widen(exp(Scalar(0.5) * grown), bound);
 }
 
 /// Covariance of what is poured in within a block: any mass, with its centre about where the payload's is.
