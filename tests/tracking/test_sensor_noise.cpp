@@ -253,7 +253,7 @@ TEST_CASE("SensorNoise: no block moves a residual by more than 15 %, and no join
         Approx(0.5 * 0.025 * once).epsilon(1e-6));  // half of a full way
 }
 
-TEST_CASE("SensorNoise: a payload is forgotten by the size of the residuals, up to 1.4 per radian, on no rough arm",
+TEST_CASE("SensorNoise: a payload is forgotten by the size of the residuals, up to 0.35 per radian, on no rough arm",
           "[noise]") {
   const auto forgetting_at = [](const Joints& size) {  // that residuals are driven to, within their bounds
     Noise noise(Sensing::LinkSide, prior());
@@ -269,15 +269,15 @@ TEST_CASE("SensorNoise: a payload is forgotten by the size of the residuals, up 
       noise.learn(true, e, Joints::Ones(), block, regime);
     }
     double expected = 0;
-    for (int j = 0; j < kDofs; ++j) expected += std::min(4.0, std::pow(residual(noise, j) / 0.02, 2)) / kDofs;
+    for (int j = 0; j < kDofs; ++j) expected += std::min(1.0, std::pow(residual(noise, j) / 0.02, 2)) / kDofs;
     CHECK(noise.forgetting() == Approx(0.35 * expected));
     return noise.forgetting();
   };
-  CHECK(forgetting_at(Joints::Constant(1)) == Approx(1.4));
+  CHECK(forgetting_at(Joints::Constant(1)) == Approx(0.35));
   CHECK(forgetting_at(Joints::Zero()) < 0.04);
   Joints one = Joints::Zero();
   one[3] = 1;
-  CHECK(forgetting_at(one) == Approx(1.4 / 7).epsilon(0.5));
+  CHECK(forgetting_at(one) == Approx(0.35 / 7).epsilon(0.5));
   CHECK(Noise(Sensing::RoughModel, prior()).forgetting() == 0);
 }
 

@@ -63,7 +63,7 @@ class SensorNoise {
     Scalar sum = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
       const Scalar size = residual_[j] / Scalar(kUsualResidual);
-      sum += std::min(Scalar(kMostForgetting), size * size);
+      sum += std::min(Scalar(1), size * size);
     }
     return Scalar(kForgetting) * sum / Scalar(Dofs);
   }
@@ -169,8 +169,7 @@ class SensorNoise {
   static constexpr double kKeep = 0.96;           // of a block: the average looks half a second back
   static constexpr double kRoughKeep = 0.9;       // 0.2 s
   static constexpr double kShare = 0.5;           // of the size of innovations, in the evidence
-  static constexpr double kForgetting = 0.35;     // [1/rad], where the residual is what is usual
-  static constexpr double kMostForgetting = 4;    // times that of a joint whose residual is twice as large, or larger
+  static constexpr double kForgetting = 0.35;     // [1/rad], where the residual is what is usual or more
   static constexpr double kUsualResidual = 0.02;  // [N m] of the arm's scale
 
   bool rough_;
