@@ -278,8 +278,8 @@ TEST_CASE(
   }
 }
 
-// A joint that friction holds confirms any compensation: by as much as that grows, so does tau_ext. Estimates wandered
-// by 130 g in five seconds until the tracker took what it had changed itself for no news of the payload.
+// A joint that friction holds confirms any compensation: by as much as that grows, so does tau_ext. An estimate that took
+// this for news of the payload would wander.
 TEST_CASE("KDL: at rest under friction that nobody told, an estimate does not follow its own compensation",
           "[kdl][rest]") {
   for (const Faults& faults : {kFriction, kBoth}) {

@@ -121,8 +121,7 @@ class HypothesisBank {
   Scalar unloaded_ = Scalar(0);  // share of what the hypothesis taken in begins with in which something else was so
   bool exchange_likely_ = false;
   bool exchange_anew_ = false;  // the exchange is looked at anew
-  bool kind_likely_ = true;
-  bool patient_ = false;  // what is unlikely is looked at all the same: a large residual hides it for seconds
+  bool kind_likely_ = true;     // that the arm has this bank's kind of torque sensing
   Scalar innovation_squared_ = Scalar(1);
 };
 
@@ -179,7 +178,6 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
   exchange_anew_ = since_exchange_ < Scalar(kSettling) && since_exchange_ + block.duration >= Scalar(kSettling) &&
                    worst_ > Scalar(kSpoilt);
   kind_likely_ = context.kind_likely;
-  patient_ = model_.rough() && kind_likely_;
   for (std::size_t to = 0; to < kHypotheses; ++to) {
     Scalar sum = Scalar(0);
     for (std::size_t from = 0; from < kHypotheses; ++from) sum += transition(from, to) * probability_.values[from];
@@ -213,7 +211,8 @@ template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::evaluate(std::size_t step) noexcept {
   const bool empty_first = predicted_[Hypothesis::Empty] > predicted_[Hypothesis::Steady];
   const auto h = static_cast<Hypothesis>(step < 2 && !empty_first ? 1 - step : step);
-  const bool needed = exchange_likely_ || patient_ || (exchange_anew_ && h == Hypothesis::Exchanged);
+  const bool patient = model_.rough() && kind_likely_;  // a large residual hides for seconds what seems unlikely
+  const bool needed = exchange_likely_ || patient || (exchange_anew_ && h == Hypothesis::Exchanged);
   const auto improbable = static_cast<Scalar>(kind_likely_ ? kImprobable : kImprobableKind);
   if (step > 0 && !needed && predicted_[h] < improbable && settled_explains()) in_question_[h] = false;
   if (in_question_[h]) take_in(h);

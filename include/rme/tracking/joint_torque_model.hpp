@@ -123,7 +123,7 @@ class JointTorqueModel {
   static constexpr double kStopNoise = 20;
 
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
-  void follow_compensation(const TorqueBlock<Scalar, Dofs>& block, const InertialVector<Scalar>& change) noexcept;
+  void follow_compensation(const TorqueBlock<Scalar, Dofs>& block, const BlockContext<Scalar>& context) noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   /// Of what may hold a resting joint [(N m)^2]: 0.6 of the Coulomb friction to expect, and no more friction than
   /// motion has shown.
@@ -142,11 +142,11 @@ class JointTorqueModel {
   FrictionRegime<Scalar, Dofs> regime_;
   // How far friction has turned over in this block, and lately (turn()).
   JointVector<Scalar, Dofs> turned_ = JointVector<Scalar, Dofs>::Zero(), turning_ = JointVector<Scalar, Dofs>::Zero();
-  // Of each joint: its torque of late, and by how much that changes within this block beyond noise [N m].
+  // Of each joint: its torque of late, and by how much that changes within this block beyond noise, or because the
+  // compensation does; and changes of the compensation that are yet to reach it [N m].
   JointVector<Scalar, Dofs> recent_torque_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> torque_change_ = JointVector<Scalar, Dofs>::Zero();
-  // Changes of its own compensation that are yet to reach it, and what of them falls into this block [N m].
-  JointVector<Scalar, Dofs> pending_ = JointVector<Scalar, Dofs>::Zero(), shifted_ = JointVector<Scalar, Dofs>::Zero();
+  JointVector<Scalar, Dofs> pending_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> timing_noise_, inertia_noise_;  // [(N m)^2], [(N m / kg)^2]
 };
 

@@ -21,7 +21,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   }
   noise_.watch(block, timing_noise_);
   follow_torque(block);
-  follow_compensation(block, context.compensation_change);
+  follow_compensation(block, context);
   turn(block);
   started_ = true;
   // Noise of dq at both ends of the block is noise of the flange's acceleration: of the force on the payload, and of
@@ -71,16 +71,16 @@ void JointTorqueModel<Scalar, Dofs>::follow_torque(const TorqueBlock<Scalar, Dof
 /// Slow changes are lost in the noise of the torque, but they are known beforehand.
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::follow_compensation(const TorqueBlock<Scalar, Dofs>& block,
-                                                         const InertialVector<Scalar>& change) noexcept {
+                                                         const BlockContext<Scalar>& context) noexcept {
   using std::abs;
   using std::exp;
   constexpr double kDelay = 0.04;  // until a new compensation shows in tau_ext: drive, arm and observer [s]
   const Scalar keep = exp(-block.duration / Scalar(kDelay));
   for (int j = 0; j < Dofs; ++j) {
     Scalar torque = Scalar(0);
-    for (int i = 0; i < kInertial; ++i) torque += block.regressor(j, i) * change[i];
+    for (int i = 0; i < kInertial; ++i) torque += block.regressor(j, i) * context.compensation_change[i];
     pending_[j] += abs(torque);
-    shifted_[j] = (Scalar(1) - keep) * pending_[j];
+    if (context.friction_shows) torque_change_[j] += (Scalar(1) - keep) * pending_[j];
     pending_[j] *= keep;
   }
 }
@@ -154,8 +154,7 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
       const Scalar off = Scalar(0.15) * joint.mean[kCoulomb];
       V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
     } else if (regime_.rests(j)) {
-      const Scalar change = (regime_.arm_moves() || friction_shows_ ? torque_change_[j] : Scalar(0)) +
-                            (friction_shows_ ? shifted_[j] : Scalar(0));
+      const Scalar change = regime_.arm_moves() || friction_shows_ ? torque_change_[j] : Scalar(0);
       const Scalar held = hold * exp(-change / arm_.coulomb[j]), variance = stiction_variance(star, j);
       scale(kStiction, held);
       V(kStiction, kStiction) += (Scalar(1) - held * held) * variance;
