@@ -10,14 +10,15 @@ template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                            const FrictionRegime<Scalar, Dofs>& regime,
                                            const BlockContext<Scalar>& context) noexcept {
-  constexpr double kTiming = 0.0006;  // [s]
+  constexpr double kTiming = 0.0008;   // [s]
+  constexpr double kSteps = 8.0 / 12;  // a step's variance, times the blocks that it may stay the same
   // tau and the motion that goes with it may be a millisecond apart; and the lag of an observer that is not quite what
   // it is said to be is left in as a share of every change.
   const Scalar share = Scalar(kTiming) / block.duration;
   for (int j = 0; j < Dofs; ++j) {
     const Scalar change = started_ ? share * (block.tau[j] - block_.tau[j]) : Scalar(0), step = block.torque_step[j];
     // Torque that comes in steps stands still between them: what it is off by stays for many blocks.
-    timing_noise_[j] = change * change + Scalar(0.3) * step * step;
+    timing_noise_[j] = change * change + Scalar(kSteps) * step * step;
   }
   noise_.watch(block, timing_noise_);
   follow_torque(block);
