@@ -374,7 +374,7 @@ Off compare(Held&& held, Push&& push, bool moves = false) {
         block.velocities.setConstant(5);
       }
       exact.forget_evidence();
-      exact.take_in(block, bank, k == 0 ? 0 : 0.04);
+      exact.take_in(block, bank, k == 0 ? 0 : 0.03);
       const double evidence = take_in(bank, block, arm.regime);
       // The first block of an empty hand is judged before anything that matters has been merged.
       if (k == 0 && held(0).isZero(0)) CHECK(evidence == Approx(exact.log_evidence()).margin(1e-3));
@@ -470,7 +470,7 @@ TEST_CASE("HypothesisBank: the filter of an empty hand goes on from its last blo
   AllSequences exact(bank, arm.prior);
   for (int k = 0; k < 4; ++k) {
     const auto block = arm.block(box(0, {0, 0, 0}), rme::Vector6<double>::Zero());
-    exact.take_in(block, bank, k == 0 ? 0 : 0.04);
+    exact.take_in(block, bank, k == 0 ? 0 : 0.03);
     take_in(bank, block, arm.regime);
   }
   CHECK(difference(bank.star(Hypothesis::Empty), exact.likeliest(Hypothesis::Empty)) < 1e-7);

@@ -429,7 +429,7 @@ TEST_CASE("JointTorqueModel: once a load is gone, its offsets are uncertain by 2
   }
 }
 
-TEST_CASE("JointTorqueModel: what 0.8 ms of the torque's change make, and what its steps hide, is noise",
+TEST_CASE("JointTorqueModel: what 0.6 ms of the torque's change make, and what its steps hide, is noise",
           "[joint_torque]") {
   Scene scene(Sensing::LinkSide);
   scene.block(Joints::Zero(), Joints(5, 5));  // the first block has no predecessor
@@ -442,7 +442,7 @@ TEST_CASE("JointTorqueModel: what 0.8 ms of the torque's change make, and what i
   for (int j = 0; j < kDofs; ++j) {
     const double change = j == 0 ? 2 : -10, step = j == 0 ? 0.1 : 0.2;
     CHECK(scene.model.observation(j, 0).noise - scene.model.noise().variance(j) ==
-          Approx(std::pow(0.04 * change, 2) + 8.0 / 12 * step * step));
+          Approx(std::pow(0.03 * change, 2) + 8.0 / 12 * step * step));
   }
 }
 

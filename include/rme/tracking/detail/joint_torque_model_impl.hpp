@@ -10,7 +10,7 @@ template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                            const FrictionRegime<Scalar, Dofs>& regime,
                                            const BlockContext<Scalar>& context) noexcept {
-  constexpr double kTiming = 0.0008;   // [s]
+  constexpr double kTiming = 0.0006;   // [s]
   constexpr double kSteps = 8.0 / 12;  // a step's variance, times the blocks that it may stay the same
   // tau and the motion that goes with it may be a millisecond apart; and the lag of an observer that is not quite what
   // it is said to be is left in as a share of every change.
