@@ -5,6 +5,7 @@
 #include <rme/tracking/hypothesis_bank.hpp>
 #include <synthetic_arm/panda.hpp>
 #include <synthetic_arm/random_pose.hpp>
+#include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -956,6 +957,182 @@ TEST_CASE("HypothesisBank: a trickle into the hand of an arm that sags does not 
   }
   CAPTURE(error);
   CHECK(error < 0.01);
+}
+
+/// A block in which the torque is so coarse that it says nothing: probabilities after it are those before it.
+Block<7> silent(Arm<7>& arm) {
+  auto block = arm.block(kEmptyHand);
+  block.torque_step.setConstant(1e4);
+  return block;
+}
+
+/// The bank after a block, with nothing left out; the arm and the bank stay as they are.
+Bank<7> after(Bank<7> bank, const Arm<7>& arm, const Block<7>& block) {
+  auto regime = arm.regime;
+  take_in(bank, block, regime, true);
+  return bank;
+}
+
+/// What the next block's transitions add to *filling* and to *steady*, beside those of kTransitions.
+std::pair<double, double> added(const Bank<7>& bank, Arm<7>& arm) {
+  const auto then = after(bank, arm, silent(arm));
+  const auto usual = [&](Hypothesis to) {
+    double sum = 0;
+    for (const Hypothesis from : kAll)
+      sum += rme::kTransitions[static_cast<std::size_t>(from)][static_cast<std::size_t>(to)] * bank.probability(from);
+    return sum;
+  };
+  // Nothing is ever added to *empty*.
+  const double scale = usual(Hypothesis::Empty) / then.probability(Hypothesis::Empty);
+  return {scale * then.probability(Hypothesis::Filling) - usual(Hypothesis::Filling),
+          scale * then.probability(Hypothesis::Steady) - usual(Hypothesis::Steady)};
+}
+
+TEST_CASE("HypothesisBank: a pour that shows makes filling likelier by 0.2, and its end steady by 0.03", "[bank]") {
+  Arm<7> arm(656);
+  arm.pose();
+  auto bank = bank_of(arm);
+  double mass = 0;
+  const auto run = [&](double poured) {
+    mass += poured;
+    auto block = arm.block(mass > 0 ? box(mass, {0, 0, 0.1}) : kEmptyHand);
+    block.velocity.setConstant(0.003);
+    take_in(bank, block, arm.regime);
+  };
+  for (int k = 0; k < 50; ++k) run(0);
+  mass = 0.5;
+  for (int k = 0; k < 100; ++k) run(0);
+  REQUIRE(bank.probability(Hypothesis::Steady) > 0.99);
+  const auto steady_mass = [](const Bank<7>& b) { return b.star(Hypothesis::Steady).mean()[0]; };
+  {
+    const auto [filling, steady] = added(bank, arm);
+    CHECK(filling == Approx(0).margin(1e-4));
+    CHECK(steady == Approx(0).margin(1e-4));
+    const auto then = after(bank, arm, silent(arm));
+    CHECK(then.star(Hypothesis::Filling).mean()[0] == Approx(steady_mass(then)).margin(2e-5));
+    CHECK(then.star(Hypothesis::Pushed).mean()[0] == Approx(steady_mass(then)).margin(2e-5));
+  }
+  bool shown = false, over = false;
+  for (int k = 0; k < 200; ++k) {
+    const double p = bank.probability(Hypothesis::Steady);
+    const auto [filling, steady] = added(bank, arm);
+    CAPTURE(k, p, filling, steady);
+    CHECK(filling == Approx(-steady).margin(1e-4));
+    if (p > 0.99 && filling > 0.001) {
+      CHECK(filling == Approx(0.2 * p).margin(1e-3));
+      if (!shown) {  // what is poured in began a while before; a push begins now
+        const auto then = after(bank, arm, silent(arm));
+        CHECK(then.star(Hypothesis::Filling).mean()[0] < steady_mass(then) - 0.0005);
+        CHECK(then.star(Hypothesis::Pushed).mean()[0] == Approx(steady_mass(then)).margin(2e-4));
+      }
+      shown = true;
+    }
+    run(0.0003);
+  }
+  CHECK(shown);
+  for (int k = 0; k < 100; ++k) run(0.001);
+  REQUIRE(bank.probability(Hypothesis::Filling) > 0.5);
+  for (int k = 0; k < 200 && !over; ++k) {
+    run(0);
+    const double p = bank.probability(Hypothesis::Filling);
+    if (p < 0.5) continue;
+    const auto [filling, steady] = added(bank, arm);
+    CAPTURE(k, p, filling, steady);
+    CHECK(filling == Approx(-steady).margin(1e-4));
+    if (steady > 0.001) {
+      CHECK(steady == Approx(0.03 * p).margin(1e-3));
+      over = true;
+    }
+  }
+  CHECK(over);
+}
+
+TEST_CASE("HypothesisBank: a pour may begin as fast as any, however long nothing has been poured", "[bank]") {
+  Arm<7> arm(657);
+  arm.pose();
+  auto bank = bank_of(arm);
+  live(bank, arm, 50, kEmptyHand);
+  const auto held = box(1, {0, 0, 0.1});
+  for (int k = 0; k < 200; ++k) take_in(bank, arm.block(held), arm.regime, true);
+  REQUIRE(bank.probability(Hypothesis::Steady) > 0.9);
+  const auto then = after(bank, arm, silent(arm));
+  const double spread =
+      std::sqrt(then.star(Hypothesis::Filling).mass_variance() - then.star(Hypothesis::Steady).mass_variance());
+  CHECK(spread == Approx(0.0027 * kRated).epsilon(0.01));
+}
+
+TEST_CASE("HypothesisBank: a load that is gone leaves offsets unsure by 2 % of it, by how likely it was there",
+          "[bank]") {
+  Arm<7> arm(658);
+  arm.pose();
+  auto bank = bank_of(arm);
+  live(bank, arm, 50, kEmptyHand);
+  live(bank, arm, 100, box(0.5, {0, 0, 0.1}));
+  const rme::InertialVector<double> held = bank.star(Hypothesis::Steady).mean();
+  for (int k = 0; k < 5; ++k) {
+    CAPTURE(k);
+    auto gone = silent(arm), there = gone;
+    there.tau.setConstant(1e6);  // as nothing without a payload would make it
+    const auto with = after(bank, arm, gone), without = after(bank, arm, there);
+    double all = 0, empty = 0;
+    for (const Hypothesis from : kAll) {
+      const double p = rme::kTransitions[static_cast<std::size_t>(from)][0] * bank.probability(from);
+      all += p;
+      if (from == Hypothesis::Empty) empty = p;
+    }
+    const rme::JointVector<double, 7> load = gone.regressor * held;
+    for (int j = 0; j < 7; ++j) {
+      CAPTURE(j);
+      const auto variance = [j](const Bank<7>& b) {
+        return b.star(Hypothesis::Empty).joint(j).covariance(rme::kOffset, rme::kOffset);
+      };
+      const double off = std::min(0.02 * std::abs(load[j]), arm.prior.offset[j]);
+      CHECK(variance(with) - variance(without) == Approx(off * off * (1 - empty / all)).epsilon(0.02).margin(1e-8));
+    }
+    take_in(bank, silent(arm), arm.regime);
+  }
+}
+
+TEST_CASE("HypothesisBank: motion forgets the payload up to the prior of its mass, from 2 % of the rated one on",
+          "[bank]") {
+  const auto prior = rme::PayloadPrior<double>::of(kRated);
+  for (const double mass : {0.03, 0.5, 1.5}) {
+    CAPTURE(mass);
+    Arm<7> arm(659);
+    arm.pose();
+    auto bank = bank_of(arm);
+    live(bank, arm, 100, kEmptyHand);
+    bank.set_payload(box(mass, {0.02, 0.01, 0.1}),
+                     rme::InertialMatrix<double>(1e-4 * rme::InertialMatrix<double>::Identity()));
+    bank.believe(Hypothesis::Steady, 0.9999999);
+    auto block = silent(arm);
+    block.velocity.setConstant(3e4);
+    block.velocities.setConstant(3e4);
+    take_in(bank, block, arm.regime);
+    const double expected = std::max(mass, 0.02 * kRated);
+    const auto bound = oracle::square(prior.factor(expected * expected));
+    const auto P = bank.star(Hypothesis::Steady).covariance();
+    for (int i = 0; i < 4; ++i) CHECK(P(i, i) == Approx(bound(i, i)).epsilon(0.01));
+  }
+}
+
+TEST_CASE("HypothesisBank: a payload whose first blocks nothing explains is found again once they are over", "[bank]") {
+  for (unsigned seed = 660; seed < 664; ++seed) {
+    CAPTURE(seed);
+    Arm<7> arm(seed);
+    arm.pose();
+    auto bank = bank_of(arm);
+    live(bank, arm, 100, kEmptyHand);
+    const auto held = box(1.2, {0.02, 0.01, 0.1});
+    for (int k = 0; k < 12; ++k) {
+      auto block = arm.block(held);
+      if (k < 3)
+        for (int j = 0; j < 7; ++j) block.tau[j] *= 1 + 0.15 * (3 - k) * (j % 2 == 0 ? 1 : -1);
+      take_in(bank, block, arm.regime);
+    }
+    CHECK(bank.probability(Hypothesis::Steady) > 0.5);
+    CHECK(std::abs(believed_mass(bank) - 1.2) < 0.01);
+  }
 }
 
 TEST_CASE("HypothesisBank: a negative mass is never believed", "[bank]") {
