@@ -1069,8 +1069,7 @@ TEST_CASE("HypothesisBank: a load that is gone leaves offsets unsure by 2 % of i
   live(bank, arm, 50, kEmptyHand);
   live(bank, arm, 100, box(0.5, {0, 0, 0.1}));
   const rme::InertialVector<double> held = bank.star(Hypothesis::Steady).mean();
-  for (int k = 0; k < 5; ++k) {
-    CAPTURE(k);
+  const auto check = [&] {
     auto gone = silent(arm), there = gone;
     there.tau.setConstant(1e6);  // as nothing without a payload would make it
     const auto with = after(bank, arm, gone), without = after(bank, arm, there);
@@ -1089,8 +1088,24 @@ TEST_CASE("HypothesisBank: a load that is gone leaves offsets unsure by 2 % of i
       const double off = std::min(0.02 * std::abs(load[j]), arm.prior.offset[j]);
       CHECK(variance(with) - variance(without) == Approx(off * off * (1 - empty / all)).epsilon(0.02).margin(1e-8));
     }
+  };
+  for (int k = 0; k < 5; ++k) {
+    CAPTURE(k);
+    check();
     take_in(bank, silent(arm), arm.regime);
   }
+  double likelier = 0, unlikelier = 1;  // share of the load at which the hand seems empty, and not
+  for (int k = 0; k < 60; ++k) {
+    const double share = 0.5 * (likelier + unlikelier);
+    const auto block = arm.block(held * share, rme::Vector6<double>::Zero(), 0);
+    const auto then = after(bank, arm, block);
+    (then.probability(Hypothesis::Empty) > 0.5 ? likelier : unlikelier) = share;
+  }
+  bank = after(bank, arm, arm.block(held * likelier, rme::Vector6<double>::Zero(), 0));
+  const double empty = bank.probability(Hypothesis::Empty);
+  REQUIRE(empty > 0.1);
+  REQUIRE(empty < 0.9);
+  check();
 }
 
 TEST_CASE("HypothesisBank: motion forgets the payload up to the prior of its mass, from 2 % of the rated one on",
@@ -1118,9 +1133,11 @@ TEST_CASE("HypothesisBank: motion forgets the payload up to the prior of its mas
 
 TEST_CASE("HypothesisBank: a payload whose first blocks nothing explains is found anew a tenth of a second later",
           "[bank]") {
-  // An observer twice as fast as it is said to be: taking its lag out overshoots, for some blocks.
-  for (const double overshoot : {0.6, 0.0}) {
-    CAPTURE(overshoot);
+  // An observer twice as fast as it is said to be: taking its lag out overshoots, for some blocks. Or one noisy block,
+  // after which the payload that is believed explains what comes.
+  for (const auto& [overshoot, noise] : {std::pair{0.6, 0.3}, std::pair{0.0, 5.0}, std::pair{0.0, 0.3}}) {
+    CAPTURE(overshoot, noise);
+    const bool spoilt = overshoot > 0 || noise > 1;
     Arm<7> arm(660);
     arm.pose();
     auto bank = bank_of(arm);
@@ -1129,7 +1146,9 @@ TEST_CASE("HypothesisBank: a payload whose first blocks nothing explains is foun
     int exchange = -1, anew = -1, times = 0;
     double worst = 0;
     for (int k = 0; k < 30; ++k) {
-      take_in(bank, arm.block(held * (1 + overshoot * std::pow(0.37, k))), arm.regime);
+      const bool noisy = exchange >= 0 && k == exchange + 2;
+      const auto load = held * (1 + overshoot * std::pow(0.37, k));
+      take_in(bank, arm.block(load, rme::Vector6<double>::Zero(), noisy ? noise : 0.3), arm.regime);
       const bool same = bank.star(Hypothesis::Steady).mean() == bank.star(Hypothesis::Exchanged).mean() &&
                         bank.star(Hypothesis::Filling).mean() == bank.star(Hypothesis::Exchanged).mean();
       if (bank.probability(Hypothesis::Exchanged) > 0.5) {
@@ -1145,9 +1164,9 @@ TEST_CASE("HypothesisBank: a payload whose first blocks nothing explains is foun
     }
     REQUIRE(exchange >= 0);
     CAPTURE(exchange, anew, worst);
-    CHECK(times == (overshoot > 0 ? 1 : 0));
-    CHECK((worst > 4) == (overshoot > 0));
-    if (overshoot > 0) CHECK(anew == exchange + 5);
+    CHECK(times == (spoilt ? 1 : 0));
+    CHECK((worst > 4) == spoilt);
+    if (spoilt) CHECK(anew == exchange + 5);
     CHECK(std::abs(believed_mass(bank) - 1.2) < 0.01);
   }
 }
@@ -1185,6 +1204,65 @@ TEST_CASE("HypothesisBank: while a push lasts, what was known of the arm before 
     take_in(bank, block, arm.regime);
   }
   for (int j = 0; j < 7; ++j) CHECK(residual(j) > 0.95 * bank.noise().residual_variance(j));
+}
+
+TEST_CASE("HypothesisBank: what an exchange begins from is as old as the block, however fast the arm moves", "[bank]") {
+  Arm<7> arm(667);
+  arm.pose();
+  auto bank = bank_of(arm);
+  live(bank, arm, 200, kEmptyHand);
+  auto block = arm.block_at_rest();  // shows nothing of any payload
+  block.end = arm.time;
+  block.velocity.setConstant(5);
+  block.velocities.setConstant(5);
+  take_in(bank, block, arm.regime, true);
+  for (int j = 0; j < 7; ++j) {
+    const auto variance = [&](Hypothesis h) {
+      return bank.star(h).joint(j).covariance(rme::kResidual, rme::kResidual);
+    };
+    CAPTURE(j, bank.noise().residual_variance(j));
+    CHECK(variance(Hypothesis::Exchanged) == Approx(variance(Hypothesis::Empty)).epsilon(0.03));
+  }
+}
+
+TEST_CASE("HypothesisBank: what a change begins from is renewed each tenth of a second in which nothing happens",
+          "[bank]") {
+  Arm<7> arm(668);
+  arm.pose();
+  auto bank = bank_of(arm);
+  live(bank, arm, 60, kEmptyHand);
+  const auto offset = [&] {
+    auto unexplained = silent(arm);
+    unexplained.regressor.setZero();
+    return after(bank, arm, unexplained).star(Hypothesis::Exchanged).joint(1).covariance(rme::kOffset, rme::kOffset);
+  };
+  std::vector<int> renewed;
+  double last = offset();
+  for (int k = 0; k < 40; ++k) {
+    live(bank, arm, 1, kEmptyHand);
+    const double now = offset();
+    if (now < last) renewed.push_back(k);
+    last = now;
+  }
+  REQUIRE(renewed.size() >= 6);
+  for (std::size_t i = 1; i < renewed.size(); ++i) CHECK(renewed[i] - renewed[i - 1] == 5);
+}
+
+TEST_CASE("HypothesisBank: a push in the first 40 ms after an exchange may have been all of it", "[bank]") {
+  Arm<7> arm(669);
+  arm.pose();
+  auto bank = bank_of(arm);
+  live(bank, arm, 100, kEmptyHand);
+  const auto carried = [&] {
+    auto unexplained = silent(arm);
+    unexplained.tau.setConstant(1e3);
+    return after(bank, arm, unexplained).star(Hypothesis::Pushed).mean()[0];
+  };
+  do live(bank, arm, 1, box(1, {0, 0, 0.1}));
+  while (bank.probability(Hypothesis::Exchanged) > 0.5);
+  CHECK(carried() == Approx(0).margin(0.1));  // 20 ms after the exchange
+  live(bank, arm, 1, box(1, {0, 0, 0.1}));
+  CHECK(carried() == Approx(1).margin(0.1));
 }
 
 TEST_CASE("HypothesisBank: a block that no hypothesis can take in changes no probability", "[bank]") {

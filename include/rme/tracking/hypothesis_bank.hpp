@@ -192,8 +192,7 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
     predicted_[Hypothesis::Exchanged] += Scalar(0.5);
   }
   for (std::size_t i = 0; i < kHypotheses; ++i) {
-    in_question_.values[i] =
-        predicted_.values[i] > Scalar(1e-6) || (exchange_anew_ && i == index(Hypothesis::Exchanged));
+    in_question_.values[i] = predicted_.values[i] > Scalar(1e-6);
     squared_.values[i] = Scalar(1e6);
   }
 }
