@@ -10,7 +10,8 @@
 //                          ChainExternalWrenchEstimator finds, over gravity, averaged over the last seconds; of the
 //                          torque as it is and, with --empty, without what the empty log shows
 //
-// With --mass 0 the run is an empty hand's. Built without Orocos KDL it says so and leaves its rows out. Exit codes: 0;
+// With --mass 0 the run is an empty hand's. With --add, a simulated payload is added to what the hand holds, and KDL's
+// wrench is left out. Built without Orocos KDL it says so and leaves its rows out. Exit codes: 0;
 // 2 unusable arguments; 3 unusable log.
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -22,6 +23,7 @@
 
 #include "check_arm/joint_findings.hpp"
 #include "io/program.hpp"
+#include "paper/injection/payload_injection.hpp"
 #include "replay_log/options.hpp"
 #ifdef RME_HAS_KDL
 #include "real_arms/kdl_wrench.hpp"
@@ -34,6 +36,7 @@ using namespace rme::examples;
 constexpr const char* kUsage = "usage: score_run LOG.csv[.gz] --mass KG [options]\n";
 constexpr const char* kOwnUsage =
     "  --mass KG           what the hand holds [kg]\n"
+    "  --add KG            a simulated payload beside it, 6 cm from the tip [kg]\n"
     "  --empty LOG.csv     played first; friction and offsets for recursive least squares come from it\n"
     "  --name TEXT         of the run, for the table\n"
     "  --header            print the table's header as well\n";
@@ -143,11 +146,28 @@ Log<Dofs> joined(Log<Dofs> first, const Log<Dofs>& second) {
   return first;
 }
 
+/// The samples, with a payload of this mass in the hand from `begin` on [s].
+template <int Dofs>
+Samples<Dofs> loaded(const Log<Dofs>& log, const Samples<Dofs>& samples, const RecordedArm<Dofs>& arm, double mass,
+                     double begin) {
+  if (!(mass > 0)) return samples;
+  constexpr double kCentre = 0.06, kWidth = 0.08;  // of a cube [m]
+  Injected injected_payload;
+  injected_payload.t = begin;
+  injected_payload.payload = rme::InertialParameters<double>::of_body(
+      {mass, {0, 0, kCentre}}, Eigen::Matrix3d(mass * kWidth * kWidth / 6 * Eigen::Matrix3d::Identity()));
+  return injected(log, samples, motion_of(log, samples), arm.model.gravity_vector, injected_payload, log.t.front(),
+                  log.t.back());
+}
+
 template <int Dofs>
 int run(Arguments& arguments, const ArmRequest& request) {
   const ArmSettings<Dofs> settings = parse_settings<Dofs>(arguments, request);
   const auto mass = arguments.number("--mass");
   if (!mass || !(*mass >= 0)) throw ArgumentError("--mass: must say what the hand holds, 0 or more kg");
+  const double added = arguments.number("--add").value_or(0);
+  if (!(added >= 0)) throw ArgumentError("--add: must be the mass of a simulated payload, 0 or more kg");
+  const double held = *mass + added;
   const auto empty = arguments.text("--empty");
   const bool header = arguments.flag("--header");
   const auto name = arguments.text("--name");
@@ -166,7 +186,7 @@ int run(Arguments& arguments, const ArmRequest& request) {
         "| 90 %% interval holds [%%] | largest mass, 90 %% sure [kg] |\n|---|---|---:|---:|---:|---:|---:|---:|\n");
   const std::string title = name.value_or(file.substr(file.rfind('/') + 1));
   const Samples<Dofs> samples = samples_of(log, settings.arm, settings.config);
-  const LogBlocks blocks = blocks_of(log, samples, settings.arm);
+  const LogBlocks blocks = blocks_of(log, loaded(log, samples, settings.arm, added, log.t.front()), settings.arm);
   Eigen::VectorXd weight = Eigen::VectorXd::Ones(Dofs);
   Eigen::MatrixXd without_friction = blocks.tau;
   Log<Dofs> life = log;
@@ -189,25 +209,25 @@ int run(Arguments& arguments, const ArmRequest& request) {
   options.arm = settings.arm;
   options.estimator = settings.config;
   replay<Dofs>(
-      life, samples_of(life, settings.arm, settings.config), options,
+      life, loaded(life, samples_of(life, settings.arm, settings.config), settings.arm, added, begin), options,
       [&](const ReplayedEstimate& e) {
         if (e.t >= begin)
           beliefs.push_back({e.t - begin, e.state.payload.mean[0], e.state.payload.standard_deviation()[0]});
       },
       [](const ReplayedPush&) {});
   if (beliefs.empty() || beliefs.back().t < kSettles + 1) throw LogError(log.name + ": is shorter than 6 s");
-  print(title, "rme", beliefs, *mass, true);
+  print(title, "rme", beliefs, held, true);
   const double hindsight = batch(blocks, weight);
-  std::printf("| | batch least squares | | | %.3f | %.3f | | |\n", std::abs(hindsight - *mass), hindsight);
+  std::printf("| | batch least squares | | | %.3f | %.3f | | |\n", std::abs(hindsight - held), hindsight);
   if (empty)
-    print("", "recursive, forgetting", recursive(blocks, without_friction, weight, log.t.front()), *mass, false);
-  if (!log.tau_ext.empty()) return 0;  // KDL takes the torque that the motors give
+    print("", "recursive, forgetting", recursive(blocks, without_friction, weight, log.t.front()), held, false);
+  if (!log.tau_ext.empty() || added > 0) return 0;  // KDL takes the torque that the motors give
 #ifdef RME_HAS_KDL
   const double sign = static_cast<double>(settings.config.torque_sign);
-  print("", "KDL's wrench", kdl_wrench(log, samples, blocks, settings.arm, sign, {}), *mass, false);
+  print("", "KDL's wrench", kdl_wrench(log, samples, blocks, settings.arm, sign, {}), held, false);
   if (empty)
     print("", "KDL's wrench, friction known",
-          kdl_wrench(log, samples, blocks, settings.arm, sign, blocks.tau - without_friction), *mass, false);
+          kdl_wrench(log, samples, blocks, settings.arm, sign, blocks.tau - without_friction), held, false);
 #else
   std::fprintf(stderr, "score_run: built without Orocos KDL (liborocos-kdl-dev): no rows of its wrench estimator\n");
 #endif

@@ -577,7 +577,7 @@ TEST_CASE("HypothesisBank: what a likelier hypothesis explains is left out below
   }
 }
 
-TEST_CASE("HypothesisBank: before a block is looked at, an exchange is twenty times less likely on a rough arm",
+TEST_CASE("HypothesisBank: before a block is looked at, an exchange is eighty times less likely on a rough arm",
           "[bank]") {
   // The block shows nothing of any payload, nor of a push, so that what is likely after it was likely before. A rough
   // arm's bank looks at an exchange however unlikely it is.
@@ -586,7 +586,7 @@ TEST_CASE("HypothesisBank: before a block is looked at, an exchange is twenty ti
   double exchanged = 0, other = 0;
   for (const Hypothesis from : kAll) {
     const auto& row = rme::kTransitions[static_cast<std::size_t>(from)];
-    exchanged += bank.probability(from) * row[static_cast<std::size_t>(Hypothesis::Exchanged)] / 20;
+    exchanged += bank.probability(from) * row[static_cast<std::size_t>(Hypothesis::Exchanged)] / 80;
     for (const Hypothesis to : kAll)
       if (to != Hypothesis::Exchanged) other += bank.probability(from) * row[static_cast<std::size_t>(to)];
   }

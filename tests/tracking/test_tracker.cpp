@@ -3,6 +3,7 @@
 #include <rme/tracking/tracker.hpp>
 #include <synthetic_arm/panda.hpp>
 #include <synthetic_arm/synthetic_arm.hpp>
+#include <utility>
 
 #include "support/catch.hpp"
 
@@ -235,26 +236,47 @@ TEST_CASE("Tracker: set_payload turns a Gaussian over (m, r) into the moments of
   }
 }
 
+TEST_CASE("Tracker: of a rough arm the filters take what the host says as 1.7 times as certain as the belief does",
+          "[tracker]") {
+  rme::Matrix4<double> L;
+  L << 0.15, 0, 0, 0, 0.01, 0.02, 0, 0, -0.01, 0.01, 0.015, 0, 0.02, 0, 0.01, 0.02;
+  const rme::PayloadGaussian<double> said{{1.2, 0.03, -0.02, 0.1}, L * L.transpose()};
+  const auto covariance = [&](rme::Sensing sensing) {
+    rme::Tracker<double, 7> tracker(rme::ArmPrior<double, 7>::of(kRated), rme::PayloadPrior<double>::of(kRated), kRated,
+                                    sensing);
+    tracker.set_payload(said);
+    return tracker.bank().star(Hypothesis::Steady).covariance();
+  };
+  const auto sure = covariance(rme::Sensing::RoughModel), plain = covariance(rme::Sensing::LinkSide);
+  CHECK((1.7 * 1.7 * sure - plain).norm() < 1e-12);
+}
+
 TEST_CASE("Tracker: the belief has the moments of the mixture over all that is not empty", "[tracker]") {
-  rme::Tracker<double, 7> tracker(rme::ArmPrior<double, 7>::of(kRated), rme::PayloadPrior<double>::of(kRated), kRated,
-                                  std::nullopt);
-  tracker.declare_empty();
-  // Before the first block all banks hold the same of the payload: the prior, and beside a push nothing.
-  const auto& bank = tracker.bank();
-  const Hypothesis held[] = {Hypothesis::Steady, Hypothesis::Filling, Hypothesis::Exchanged, Hypothesis::Pushed};
-  double total = 0;
-  rme::InertialGaussian<double> mixture;
-  for (const Hypothesis h : held) total += bank.probability(h);
-  for (const Hypothesis h : held) mixture.mean += bank.probability(h) / total * bank.star(h).mean();
-  for (const Hypothesis h : held) {
-    const rme::InertialVector<double> d = bank.star(h).mean() - mixture.mean;
-    mixture.covariance += bank.probability(h) / total * (bank.star(h).covariance() + d * d.transpose());
+  using rme::Sensing;
+  for (const auto& [sensing, spread] :
+       {std::pair(std::optional<Sensing>(), 1.0), std::pair(std::optional<Sensing>(Sensing::RoughModel), 1.7)}) {
+    CAPTURE(spread);  // of a rough arm, the belief is less certain than the filters
+    rme::Tracker<double, 7> tracker(rme::ArmPrior<double, 7>::of(kRated), rme::PayloadPrior<double>::of(kRated), kRated,
+                                    sensing);
+    tracker.declare_empty();
+    // Before the first block all banks hold the same of the payload: the prior, and beside a push nothing.
+    const auto& bank = tracker.bank();
+    const Hypothesis held[] = {Hypothesis::Steady, Hypothesis::Filling, Hypothesis::Exchanged, Hypothesis::Pushed};
+    double total = 0;
+    rme::InertialGaussian<double> mixture;
+    for (const Hypothesis h : held) total += bank.probability(h);
+    for (const Hypothesis h : held) mixture.mean += bank.probability(h) / total * bank.star(h).mean();
+    for (const Hypothesis h : held) {
+      const rme::InertialVector<double> d = bank.star(h).mean() - mixture.mean;
+      mixture.covariance +=
+          bank.probability(h) / total * (spread * spread * bank.star(h).covariance() + d * d.transpose());
+    }
+    REQUIRE(bank.star(Hypothesis::Pushed).mean().isZero(0));
+    const auto expected = rme::within_rated(mixture, kRated);
+    const auto& payload = tracker.belief().payload;
+    CHECK((payload.mean - expected.mean).norm() < 1e-12);
+    CHECK((payload.covariance - expected.covariance).norm() < 1e-12);
   }
-  REQUIRE(bank.star(Hypothesis::Pushed).mean().isZero(0));
-  const auto expected = rme::within_rated(mixture, kRated);
-  const auto& payload = tracker.belief().payload;
-  CHECK((payload.mean - expected.mean).norm() < 1e-12);
-  CHECK((payload.covariance - expected.covariance).norm() < 1e-12);
 }
 
 TEST_CASE("Tracker: no mass is believed that is negative or beyond the rated one, whatever the host says",

@@ -69,7 +69,7 @@ class HypothesisBank {
   /// kind of torque sensing.
   static constexpr double kImprobable = 0.002, kImprobableKind = 0.02;
   /// A rough arm's torque changes by what a payload makes more often than its payload does.
-  static constexpr double kRoughExchange = 0.05;
+  static constexpr double kRoughExchange = 0.0125;
   static constexpr double kAge = 0.1 - 1e-6;        // [s]
   static constexpr double kDoubtful = 0.04 - 1e-6;  // that a payload may turn out to be a push [s]
   static constexpr double kSettling = 0.1 - 1e-6;   // after an exchange: observers' tails are over [s]

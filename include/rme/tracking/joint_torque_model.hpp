@@ -68,15 +68,18 @@ class JointTorqueModel {
   }
   /// Whether the arm's model is taken to be rough.
   bool rough() const noexcept { return sensing_ == Sensing::RoughModel; }
-  /// Resets the residual to its prior.
-  void reopen_residual(Star& star) const noexcept {
+  /// Resets to their priors what can hide a payload while it is not noticed: the residual, and what holds a joint at rest.
+  void reopen_hiding(Star& star) const noexcept {
     for (int j = 0; j < Dofs; ++j) {
       auto& joint = star.joint(j);
-      joint.mean[kResidual] = Scalar(0);
-      for (int i = 0; i < kInertial; ++i) joint.slope(i, kResidual) = Scalar(0);
-      for (int i = 0; i < kJointNuisances; ++i)
-        joint.covariance(kResidual, i) = joint.covariance(i, kResidual) = Scalar(0);
-      joint.covariance(kResidual, kResidual) = noise_.residual_variance(j);
+      const auto reset = [&](Nuisance n, Scalar variance) {
+        joint.mean[n] = Scalar(0);
+        for (int i = 0; i < kInertial; ++i) joint.slope(i, n) = Scalar(0);
+        for (int i = 0; i < kJointNuisances; ++i) joint.covariance(n, i) = joint.covariance(i, n) = Scalar(0);
+        joint.covariance(n, n) = variance;
+      };
+      reset(kResidual, noise_.residual_variance(j));
+      reset(kStiction, stiction_variance(star, j));
     }
   }
   /// After a removal: if the payload's torque is missing in every joint, to within a tenth and five standard
@@ -119,7 +122,7 @@ class JointTorqueModel {
   // Of the residual's variance, where the arm's model is rough: what gears hold at rest; the noise of a joint that
   // starts, stops or turns back; and what comes to it the slower the joint is.
   static constexpr double kRoughStiction = 16;
-  static constexpr double kTurnNoise = 3;
+  static constexpr double kTurnNoise = 6;
   static constexpr double kStopNoise = 20;
 
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;

@@ -128,10 +128,10 @@ class Tracker {
     }
     InertialMatrix<Scalar> factor;
     if (!StarGaussian<Scalar, Dofs>::factorise(P, factor)) return;
-    for (auto& bank : banks_) {
-      bank.reopen_offsets();
-      bank.set_payload(mean, factor);
-      bank.believe(Hypothesis::Steady, Scalar(kHostIsRight));
+    for (std::size_t k = 0; k < kSensings; ++k) {
+      banks_[k].reopen_offsets();
+      banks_[k].set_payload(mean, detail::scaled(Scalar(1) / spread(k), factor));
+      banks_[k].believe(Hypothesis::Steady, Scalar(kHostIsRight));
     }
     summarise();
   }
@@ -142,12 +142,19 @@ class Tracker {
   // Friction that is taken for weight does more harm than friction that is looked for in vain. A rough model explains
   // nearly anything, and has to do much better than the others.
   static constexpr std::array<double, kSensings> kEvidence = {-8, 0, -40};  // before the first sample [nats]
+  // The errors of a rough model are the same again wherever the arm comes back, which its bank does not know: the payload
+  // is as uncertain as so many of the bank's standard deviations (docs/theory.md (T30)).
+  static constexpr double kRoughSpread = 1.7;
   static constexpr double kDecided = 300;  // an arm that was serviced is recognised after some seconds of motion [nats]
   static constexpr double kUnlikely = 1e-3;  // a kind below it gets no hypothesis that is not needed
   static constexpr double kCertain = 1e-6;   // of link-side sensing, where friction is certain to show
   static constexpr double kLargestHealth = 100;
   static constexpr double kPushed = 0.9;     // of the weight, that a push takes
   static constexpr double kFullSpeed = 0.2;  // slower than this friction shows less than stiction hides [rad/s]
+
+  static constexpr Scalar spread(std::size_t kind) noexcept {
+    return static_cast<Scalar>(kind == static_cast<std::size_t>(Sensing::RoughModel) ? kRoughSpread : 1);
+  }
 
   void settle() noexcept {
     while (step_ > 0) advance();
@@ -201,7 +208,7 @@ class Tracker {
         const Scalar w = share[k] * banks_[k].probability(h) / held;
         if (h == Hypothesis::Empty || !(w > Scalar(1e-6))) continue;
         const InertialVector<Scalar> d = detail::difference(banks_[k].star(h).mean(), mean);
-        detail::add_scaled(out.payload.covariance, w, banks_[k].star(h).covariance());
+        detail::add_scaled(out.payload.covariance, w * spread(k) * spread(k), banks_[k].star(h).covariance());
         detail::add_outer(out.payload.covariance, detail::scaled(w, d), d);
       }
     }

@@ -39,7 +39,7 @@ void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
   if (h == Hypothesis::Exchanged) {  // whatever was before
     out = before_;
     out.empty_payload();
-    if (model_.rough()) model_.reopen_residual(out);
+    if (model_.rough()) model_.reopen_hiding(out);
     return;
   }
   const bool emptied = h == Hypothesis::Empty;
