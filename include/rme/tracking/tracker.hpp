@@ -143,7 +143,7 @@ class Tracker {
   // nearly anything, and has to do much better than the others.
   static constexpr std::array<double, kSensings> kEvidence = {-8, 0, -40};  // before the first sample [nats]
   // The errors of a rough model are the same again wherever the arm comes back, which its bank does not know: the payload
-  // is as uncertain as so many of the bank's standard deviations (docs/theory.md (T30)).
+  // is as uncertain as so many of the bank's standard deviations (docs/theory.md, "Friction").
   static constexpr double kRoughSpread = 1.7;
   static constexpr double kDecided = 300;  // an arm that was serviced is recognised after some seconds of motion [nats]
   static constexpr double kUnlikely = 1e-3;  // a kind below it gets no hypothesis that is not needed
