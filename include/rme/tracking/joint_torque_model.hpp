@@ -71,15 +71,8 @@ class JointTorqueModel {
   /// Resets to their priors what can hide a payload while it is not noticed: the residual, and what holds a joint at rest.
   void reopen_hiding(Star& star) const noexcept {
     for (int j = 0; j < Dofs; ++j) {
-      auto& joint = star.joint(j);
-      const auto reset = [&](Nuisance n, Scalar variance) {
-        joint.mean[n] = Scalar(0);
-        for (int i = 0; i < kInertial; ++i) joint.slope(i, n) = Scalar(0);
-        for (int i = 0; i < kJointNuisances; ++i) joint.covariance(n, i) = joint.covariance(i, n) = Scalar(0);
-        joint.covariance(n, n) = variance;
-      };
-      reset(kResidual, noise_.residual_variance(j));
-      reset(kStiction, stiction_variance(star, j));
+      renew(star, j, kResidual, Scalar(0), noise_.residual_variance(j));
+      renew(star, j, kStiction, Scalar(0), stiction_variance(star, j));
     }
   }
   /// After a removal: if the payload's torque is missing in every joint, to within a tenth and five standard
@@ -125,6 +118,16 @@ class JointTorqueModel {
   static constexpr double kTurnNoise = 6;
   static constexpr double kStopNoise = 20;
 
+  /// A step of a joint's nuisance n, which keeps this share of what it was and has this variance in the long run.
+  static void renew(Star& star, int j, Nuisance n, Scalar keep, Scalar variance) noexcept {
+    auto& joint = star.joint(j);
+    auto& V = joint.covariance;
+    joint.mean[n] *= keep;
+    for (int i = 0; i < kInertial; ++i) joint.slope(i, n) *= keep;
+    for (int i = 0; i < kJointNuisances; ++i) V(i, n) *= keep;
+    for (int i = 0; i < kJointNuisances; ++i) V(n, i) *= keep;
+    V(n, n) += (Scalar(1) - keep * keep) * variance;
+  }
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   void follow_compensation(const TorqueBlock<Scalar, Dofs>& block, const BlockContext<Scalar>& context) noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;

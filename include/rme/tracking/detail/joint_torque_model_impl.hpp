@@ -123,15 +123,7 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
   for (int j = 0; j < Dofs; ++j) {
     auto& joint = star.joint(j);
     auto& V = joint.covariance;
-    const auto scale = [&](Nuisance n, Scalar by) {
-      joint.mean[n] *= by;
-      for (int i = 0; i < kInertial; ++i) joint.slope(i, n) *= by;
-      for (int i = 0; i < kJointNuisances; ++i) V(i, n) *= by;
-      for (int i = 0; i < kJointNuisances; ++i) V(n, i) *= by;
-    };
-    const Scalar kept = rough ? keep * exp(-turned_[j]) : keep;
-    scale(kResidual, kept);
-    V(kResidual, kResidual) += (Scalar(1) - kept * kept) * noise_.residual_variance(j);
+    renew(star, j, kResidual, rough ? keep * exp(-turned_[j]) : keep, noise_.residual_variance(j));
     const Scalar drift = Scalar(kOffsetDrift) * arm_.residual[j];
     V(kOffset, kOffset) += drift * drift;
     if (sensing_ == Sensing::LinkSide) continue;
@@ -140,9 +132,7 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
     V(kCoulomb, kCoulomb) += coulomb_drift * coulomb_drift;
     V(kViscous, kViscous) += viscous_drift * viscous_drift;
     if (rough) {  // what holds a joint that stops is another torque each time, and creeps
-      const Scalar held = hold * exp(Scalar(-0.5) * turned_[j]);
-      scale(kStiction, held);
-      V(kStiction, kStiction) += (Scalar(1) - held * held) * stiction_variance(star, j);
+      renew(star, j, kStiction, hold * exp(Scalar(-0.5) * turned_[j]), stiction_variance(star, j));
       continue;
     }
     const JointFriction<Scalar>& friction = regime_.joint(j);
@@ -156,9 +146,7 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
       V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
     } else if (regime_.rests(j)) {
       const Scalar change = regime_.arm_moves() || friction_shows_ ? torque_change_[j] : Scalar(0);
-      const Scalar held = hold * exp(-change / arm_.coulomb[j]), variance = stiction_variance(star, j);
-      scale(kStiction, held);
-      V(kStiction, kStiction) += (Scalar(1) - held * held) * variance;
+      renew(star, j, kStiction, hold * exp(-change / arm_.coulomb[j]), stiction_variance(star, j));
     }
   }
 }
