@@ -35,6 +35,7 @@ constexpr const char* kOwnUsage =
     "  --dq-noise W        white noise on dq [rad/s]\n"
     "  --torque-step T     tau_ext comes in steps [N m]\n"
     "  --late N            tau_ext comes N rows late\n"
+    "  --observer W        tau_ext as an observer of W rad/s reports it, and not one of --bandwidth\n"
     "  --lost P            share of rows that are lost\n"
     "  --every N           only each Nth row\n"
     "  --seed N            of noise and losses (1)\n";
@@ -43,14 +44,29 @@ constexpr double kNinety = 1.6448536269514722;  // half width of a Gaussian's 90
 
 /// How the recordings are made worse.
 struct Faults {
-  double dq_noise = 0, torque_step = 0, lost = 0;
+  double dq_noise = 0, torque_step = 0, lost = 0, observer = 0;
   std::size_t late = 0, every = 1, seed = 1;
 };
 
-Log<7> spoilt(const Log<7>& log, const Faults& faults, std::size_t run) {
+/// tau_ext of another observer than that of the recording; both have a period of one row.
+/// @param recorded  bandwidth of the recording's [rad/s], > 0
+std::vector<rme::JointVector<double, 7>> observed_by(double bandwidth, double recorded, const Log<7>& log) {
+  std::vector<rme::JointVector<double, 7>> out{log.tau_ext.front()};
+  for (std::size_t i = 1; i < log.size(); ++i) {
+    const double dt = log.t[i] - log.t[i - 1];
+    const rme::JointVector<double, 7> change = log.tau_ext[i] - log.tau_ext[i - 1];
+    const rme::JointVector<double, 7> tau = log.tau_ext[i - 1] + change / std::min(1.0, recorded * dt);
+    out.push_back(out.back() + std::min(1.0, bandwidth * dt) * (tau - out.back()));
+  }
+  return out;
+}
+
+/// @param recorded  bandwidth of the recording's observer [rad/s]
+Log<7> spoilt(const Log<7>& log, const Faults& faults, double recorded, std::size_t run) {
   std::mt19937_64 random(faults.seed * 1000 + run);
   std::normal_distribution<double> normal(0, 1);
   std::uniform_real_distribution<double> uniform;
+  const auto tau_ext = faults.observer > 0 ? observed_by(faults.observer, recorded, log) : log.tau_ext;
   Log<7> out;
   out.name = log.name;
   for (std::size_t i = 0; i < log.size(); ++i) {
@@ -58,7 +74,7 @@ Log<7> spoilt(const Log<7>& log, const Faults& faults, std::size_t run) {
     out.t.push_back(log.t[i]);
     out.q.push_back(log.q[i]);
     out.truth.push_back(log.truth[i]);
-    rme::JointVector<double, 7> dq = log.dq[i], tau = log.tau_ext[i - std::min(i, faults.late)];
+    rme::JointVector<double, 7> dq = log.dq[i], tau = tau_ext[i - std::min(i, faults.late)];
     for (int j = 0; j < 7; ++j) {
       if (faults.dq_noise > 0) dq[j] += faults.dq_noise * normal(random);
       if (faults.torque_step > 0) tau[j] = std::round(tau[j] / faults.torque_step) * faults.torque_step;
@@ -168,11 +184,15 @@ int run(Arguments& arguments) {
   faults.torque_step = arguments.number("--torque-step").value_or(0);
   faults.lost = arguments.number("--lost").value_or(0);
   faults.late = arguments.whole("--late", 0).value_or(0);
+  faults.observer = arguments.number("--observer").value_or(0);
   faults.every = arguments.whole("--every", 1).value_or(1);
   faults.seed = arguments.whole("--seed", 0).value_or(1);
   if (!(faults.dq_noise >= 0 && faults.torque_step >= 0 && faults.lost >= 0 && faults.lost < 1))
     throw ArgumentError("--dq-noise, --torque-step: must be 0 or more, --lost below 1");
   const ReplayRequest<7> request = parse_replay<7>(arguments, parse_arm(arguments));
+  const double recorded = request.options.estimator.observer_bandwidth;
+  if (!(faults.observer >= 0) || (faults.observer > 0 && !(recorded > 0)))
+    throw ArgumentError("--observer: must be above 0, and so must --bandwidth, that of the recordings");
   std::vector<std::string> folders;
   do folders.push_back(arguments.positional("FOLDER"));
   while (!arguments.empty());
@@ -201,7 +221,7 @@ int run(Arguments& arguments) {
       std::vector<double> changes;
       for (const auto& event : entry.at("events")) changes.push_back(event.at("t"));
       scores[scenario].push_back(
-          score(spoilt(log, faults, number++), scenario, entry.at("attach_time"), changes, request.options));
+          score(spoilt(log, faults, recorded, number++), scenario, entry.at("attach_time"), changes, request.options));
     }
     std::fprintf(stderr, "\r%-70s\r", "");
     std::string name = folder;

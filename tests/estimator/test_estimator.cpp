@@ -565,7 +565,7 @@ TEST_CASE("Estimator: an arm that turns shows what one pose hides, and it is rem
       }
       bench.estimator.trigger();  // asked again
       bench.run(1);
-      CHECK(bench.state().payload.standard_deviation()[3] < 2e-3);
+      CHECK(bench.state().payload.standard_deviation()[3] < 3e-3);  // as certain as the last link's is
       CHECK((bench.state().payload.mean.tail<3>() - object.com).norm() < 2e-3);
       CHECK(std::abs(bench.mass() - object.mass) < 0.005);
     }

@@ -68,6 +68,7 @@ struct Arm {
     block.velocities.setZero();
     block.velocity_noise.setZero();
     block.torque_step.setZero();
+    block.torque_rate.setZero();
     block.tau.setZero();
     block.regressor.setZero();
     block.jacobian.setZero();
@@ -793,61 +794,6 @@ TEST_CASE("HypothesisBank: what nothing is seen of settles at the variance of th
           Approx(bank.noise().residual_variance(j)).epsilon(0.3));
 }
 
-TEST_CASE("HypothesisBank: motion that shows nothing of the payload makes it less certain, and no less than the prior",
-          "[bank]") {
-  const unsigned seed = 693;
-  CAPTURE(seed);
-  Arm<7> arm(seed);
-  arm.pose();
-  auto bank = bank_of(arm);
-  live(bank, arm, 100, kEmptyHand);
-  live(bank, arm, 200, box(1.5, {0.02, 0.01, 0.1}));
-  REQUIRE(bank.probability(Hypothesis::Steady) > 0.99);
-  const auto turn = [&](double speed) {
-    auto block = arm.block(kEmptyHand);
-    block.regressor.setZero();
-    block.velocity.setConstant(speed);
-    block.velocities.setConstant(speed);
-    take_in(bank, block, arm.regime);
-    return bank.star(Hypothesis::Steady).mass_variance();
-  };
-  for (const double speed : {2.0, 1.0}) {
-    CAPTURE(speed);
-    (void)turn(5);  // other hypotheses, which mix in, are settled
-    const double before = turn(0), forgetting = bank.noise().forgetting();
-    REQUIRE(forgetting > 0.05);
-    CHECK(turn(speed) / before == Approx(std::exp(forgetting * speed * std::sqrt(7.0) * 0.02)).epsilon(0.01));
-  }
-  // Five hundred radians: without a bound, e^79 times as much.
-  const auto prior = rme::PayloadPrior<double>::of(kRated);
-  double variance = 0;
-  for (int k = 0; k < 2000; ++k) variance = turn(5);
-  CHECK(variance < 1.2 * prior.mass_std * prior.mass_std);
-  CHECK(variance > 0.3 * prior.mass_std * prior.mass_std);
-}
-
-TEST_CASE("HypothesisBank: motion that shows nothing of the payload makes its mass less certain, and not its inertia",
-          "[bank]") {
-  Arm<7> arm(694);
-  arm.pose();
-  auto bank = bank_of(arm);
-  live(bank, arm, 100, kEmptyHand);
-  const auto held = box(1.5, {0.02, 0.01, 0.1});
-  bank.set_payload(held, rme::InertialMatrix<double>(1e-4 * rme::InertialMatrix<double>::Identity()));
-  bank.believe(Hypothesis::Steady, 0.999999);
-  live(bank, arm, 3, held);
-  REQUIRE(bank.probability(Hypothesis::Steady) > 0.99);
-  const rme::InertialMatrix<double> before = bank.star(Hypothesis::Steady).covariance();
-  auto block = arm.block(kEmptyHand);
-  block.regressor.setZero();
-  block.velocity.setConstant(2);
-  block.velocities.setConstant(2);
-  take_in(bank, block, arm.regime);
-  const rme::InertialMatrix<double> after = bank.star(Hypothesis::Steady).covariance();
-  for (int i = 0; i < 4; ++i) CHECK(after(i, i) > 1.01 * before(i, i));
-  for (int i = 4; i < rme::kInertial; ++i) CHECK(after(i, i) == Approx(before(i, i)).epsilon(1e-3));
-}
-
 TEST_CASE("HypothesisBank: noise of dq is noise of the payload's inertia force, and no event", "[bank]") {
   // Of 2 mrad/s, at both ends of a block: 0.14 rad/s^2 in each joint.
   for (unsigned seed = 671; seed < 676; ++seed) {
@@ -1013,6 +959,7 @@ TEST_CASE("HypothesisBank: a pour that shows makes filling likelier by 0.2, and 
     CHECK(then.star(Hypothesis::Pushed).mean()[0] == Approx(steady_mass(then)).margin(2e-5));
   }
   bool shown = false, over = false;
+  std::vector<double> masses;  // that were believed, block by block
   for (int k = 0; k < 200; ++k) {
     const double p = bank.probability(Hypothesis::Steady);
     const auto [filling, steady] = added(bank, arm);
@@ -1022,11 +969,17 @@ TEST_CASE("HypothesisBank: a pour that shows makes filling likelier by 0.2, and 
       CHECK(filling == Approx(0.2 * p).margin(1e-3));
       if (!shown) {  // what is poured in began a while before; a push begins now
         const auto then = after(bank, arm, silent(arm));
-        CHECK(then.star(Hypothesis::Filling).mean()[0] < steady_mass(then) - 0.0005);
+        const double filling_from = then.star(Hypothesis::Filling).mean()[0];
+        double nearest = 1;
+        for (std::size_t ago = 5; ago <= 10; ++ago)
+          nearest = std::min(nearest, std::abs(filling_from - masses[masses.size() - ago]));
+        CHECK(nearest < 5e-5);
+        CHECK(std::abs(filling_from - steady_mass(then)) > 1e-4);
         CHECK(then.star(Hypothesis::Pushed).mean()[0] == Approx(steady_mass(then)).margin(2e-4));
       }
       shown = true;
     }
+    masses.push_back(steady_mass(bank));
     run(0.0003);
   }
   CHECK(shown);
@@ -1108,29 +1061,6 @@ TEST_CASE("HypothesisBank: a load that is gone leaves offsets unsure by 2 % of i
   check();
 }
 
-TEST_CASE("HypothesisBank: motion forgets the payload up to the prior of its mass, from 2 % of the rated one on",
-          "[bank]") {
-  const auto prior = rme::PayloadPrior<double>::of(kRated);
-  for (const double mass : {0.03, 0.5, 1.5}) {
-    CAPTURE(mass);
-    Arm<7> arm(659);
-    arm.pose();
-    auto bank = bank_of(arm);
-    live(bank, arm, 100, kEmptyHand);
-    bank.set_payload(box(mass, {0.02, 0.01, 0.1}),
-                     rme::InertialMatrix<double>(1e-4 * rme::InertialMatrix<double>::Identity()));
-    bank.believe(Hypothesis::Steady, 0.9999999);
-    auto block = silent(arm);
-    block.velocity.setConstant(3e4);
-    block.velocities.setConstant(3e4);
-    take_in(bank, block, arm.regime);
-    const double expected = std::max(mass, 0.02 * kRated);
-    const auto bound = oracle::square(prior.factor(expected * expected));
-    const auto P = bank.star(Hypothesis::Steady).covariance();
-    for (int i = 0; i < 4; ++i) CHECK(P(i, i) == Approx(bound(i, i)).epsilon(0.01));
-  }
-}
-
 TEST_CASE("HypothesisBank: a payload whose first blocks nothing explains is found anew a tenth of a second later",
           "[bank]") {
   // An observer twice as fast as it is said to be: taking its lag out overshoots, for some blocks. Or one noisy block,
@@ -1140,7 +1070,7 @@ TEST_CASE("HypothesisBank: a payload whose first blocks nothing explains is foun
     const bool spoilt = overshoot > 0 || noise > 1;
     Arm<7> arm(660);
     arm.pose();
-    auto bank = bank_of(arm);
+    auto bank = bank_of(arm, Sensing::JointFriction);
     live(bank, arm, 100, kEmptyHand);
     const auto held = box(1.2, {0.02, 0.01, 0.1});
     int exchange = -1, anew = -1, times = 0;
@@ -1168,6 +1098,36 @@ TEST_CASE("HypothesisBank: a payload whose first blocks nothing explains is foun
     CHECK((worst > 4) == spoilt);
     if (spoilt) CHECK(anew == exchange + 5);
     CHECK(std::abs(believed_mass(bank) - 1.2) < 0.01);
+  }
+}
+
+TEST_CASE(
+    "HypothesisBank: of torque that comes later or earlier than it is said to, the lag is learned at the first attach",
+    "[bank]") {
+  for (const double lag : {0.0, 0.02, -0.01}) {
+    CAPTURE(lag);
+    Arm<7> arm(661);
+    arm.pose();
+    auto bank = bank_of(arm);
+    live(bank, arm, 100, kEmptyHand);
+    const auto held = box(1.2, {0.02, 0.01, 0.1});
+    // tau_ext reaches the load with a time constant of 20 ms, and its rate falls likewise: the first e-fold of it in the
+    // block of the attach.
+    for (int k = 0; k < 50; ++k) {
+      auto block = arm.block(held);
+      const double rate = std::exp(-k) * (1 - std::exp(-1)) / 0.02;
+      block.torque_rate = rate * (block.regressor * held);
+      block.tau += lag * block.torque_rate;
+      take_in(bank, block, arm.regime);
+    }
+    CHECK(bank.probability(Hypothesis::Steady) > 0.9);
+    CHECK(std::abs(believed_mass(bank) - 1.2) < 0.005);
+    const auto& star = bank.star(Hypothesis::Steady);
+    for (const int j : {1, 5}) {  // which bear most
+      CHECK(std::sqrt(star.nuisance_covariance(j)(rme::kLag, rme::kLag)) ==
+            Approx(lag != 0 ? 0.0016 : 0.015).epsilon(0.5));
+      CHECK(std::abs(star.nuisance_mean(j)[rme::kLag] - lag) < 0.001);
+    }
   }
 }
 

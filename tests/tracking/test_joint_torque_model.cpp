@@ -29,6 +29,7 @@ Block at_rest() {
   block.velocity.setZero();
   block.velocities.setZero();
   block.torque_step.setZero();
+  block.torque_rate.setZero();
   block.velocity_noise.setZero();
   return block;
 }
@@ -64,6 +65,36 @@ TEST_CASE("JointTorqueModel: behind the gears there is no friction, moving or no
       CHECK(scene.model.observation(j, 0).c == rme::JointNuisanceVector<double>(1, 0, 0, 1, 0));
   }
   CHECK(scene.deviation(0, rme::kCoulomb) == 0);
+}
+
+TEST_CASE("JointTorqueModel: a lag counts for 0.6 s after it has shown, and after each large change from then on",
+          "[joint_torque]") {
+  for (const Sensing sensing : {Sensing::LinkSide, Sensing::JointFriction, Sensing::RoughModel}) {
+    Model model(sensing, kArm, 0.01);
+    Regime regime;
+    // How long it counts in a block of this rate, in blocks of the same rate.
+    const auto lag_after = [&](double rate) {
+      Block block = at_rest();
+      block.torque_rate = Joints(rate, 0.5 * rate);
+      regime.update(block);
+      model.begin(block, regime);
+      return Joints(model.observation(0, 0).c[rme::kLag], model.observation(1, 0).c[rme::kLag]);
+    };
+    const bool link_side = sensing == Sensing::LinkSide;
+    const double large = 21 * std::sqrt(model.noise().variance(0)) / 0.02, small = 0.9 * large;
+    CHECK(lag_after(large).isZero(0));  // nothing is late yet
+    if (link_side) CHECK(model.prior().joint(0).covariance(rme::kLag, rme::kLag) == Approx(0.015 * 0.015));
+    model.late();
+    int blocks = 0;
+    while (blocks < 100 && !lag_after(small).isZero(0)) ++blocks;
+    CHECK(blocks == (link_side ? 29 : 0));
+    CHECK(lag_after(small).isZero(0));
+    const Joints lag = lag_after(-large);
+    CHECK(lag == (link_side ? Joints(-large, -0.5 * large) : Joints(0, 0)));
+    blocks = 0;
+    while (blocks < 100 && !lag_after(small).isZero(0)) ++blocks;
+    CHECK(blocks == (link_side ? 29 : 0));
+  }
 }
 
 TEST_CASE("JointTorqueModel: friction acts against the motion, and what a joint held when it stopped, it holds",
@@ -344,6 +375,7 @@ TEST_CASE("JointTorqueModel: the prior is the arm's, friction give or take half 
     for (int j = 0; j < kDofs; ++j) {
       Beta mean = Beta::Zero(), variance = Beta::Zero();
       variance[rme::kOffset] = std::pow(kArm.offset[j], 2);
+      if (!friction) variance[rme::kLag] = std::pow(0.015, 2);
       if (friction) {
         mean[rme::kCoulomb] = kArm.coulomb[j];
         mean[rme::kViscous] = kArm.viscous[j];

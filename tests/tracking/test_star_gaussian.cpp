@@ -245,41 +245,6 @@ TEST_CASE("StarGaussian: diffuse adds to the payload's covariance, and to no joi
   CHECK(difference(dense(empty), expected) < 1e-9);
 }
 
-TEST_CASE("StarGaussian: widen scales deviations of the payload up to a bound, and changes nothing given the payload",
-          "[star]") {
-  const unsigned seed = 518;
-  CAPTURE(seed);
-  std::mt19937 random(seed);
-  int scaled = 0, bounded = 0, left = 0;
-  for (int k = 0; k < 20; ++k) {
-    CAPTURE(k);
-    const Star before = random_star(random);
-    const Matrix bound = oracle::random_matrix(random, kInertial, kInertial) * 1.2;
-    Star star = before;
-    star.widen(1.3, bound);
-    const Matrix P = before.covariance(), most = oracle::square(bound);
-    Vector by(kInertial);
-    for (int i = 0; i < kInertial; ++i) {
-      by[i] = std::min(1.3, std::max(1.0, std::sqrt(most(i, i) / P(i, i))));
-      ++(by[i] == 1.3 ? scaled : by[i] == 1 ? left : bounded);
-    }
-    CHECK((star.covariance() - by.asDiagonal() * P * by.asDiagonal()).cwiseAbs().maxCoeff() < 1e-12 * P.trace());
-    CHECK(star.mean() == before.mean());
-    for (int j = 0; j < kJoints; ++j) {
-      CHECK(star.joint(j).mean == before.joint(j).mean);
-      CHECK(star.joint(j).slope == before.joint(j).slope);
-      CHECK(star.joint(j).covariance == before.joint(j).covariance);
-    }
-  }
-  CHECK(scaled > 5);
-  CHECK(bounded > 5);
-  CHECK(left > 5);
-  Star empty = random_star(random);
-  empty.empty_payload();
-  empty.widen(1.3, oracle::random_matrix(random, kInertial, kInertial));
-  CHECK(empty.covariance().isZero(0));
-}
-
 TEST_CASE("StarGaussian: mix has the moments of the mixture, pair by pair", "[star]") {
   const unsigned seed = 514;
   CAPTURE(seed);

@@ -247,6 +247,26 @@ TEST_CASE("BlockAverager: blocks are 20 ms long to a period, however the periods
   }
 }
 
+TEST_CASE("BlockAverager: the rate of a torque is that of tau_ext as it comes, whatever the bandwidth and the period",
+          "[block]") {
+  const Joints rate(3, -2, 0);
+  for (const double bandwidth : {0.0, 50.0}) {
+    for (const double period : {1e-3, 4e-3}) {
+      CAPTURE(bandwidth, period);
+      Averager averager(bandwidth, kGravity);
+      Sample s = at_rest();
+      int blocks = 0;
+      for (int k = 0; k < 200; ++k) {
+        s.tau_ext = Joints::Constant(0.4) + rate * (period * k);
+        if (!averager.add(s, period, period * k)) continue;
+        ++blocks;
+        CHECK((averager.block().torque_rate - rate).norm() < 1e-9);
+      }
+      CHECK(blocks >= 9);
+    }
+  }
+}
+
 TEST_CASE("BlockAverager: the torque's resolution and the noise of dq are measured", "[block]") {
   const unsigned seed = 525;
   CAPTURE(seed);

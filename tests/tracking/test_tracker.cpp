@@ -251,6 +251,22 @@ TEST_CASE("Tracker: of a rough arm the filters take what the host says as 1.7 ti
   CHECK((1.7 * 1.7 * sure - plain).norm() < 1e-12);
 }
 
+/// Moments of the mixture over all that is not empty, of the likeliest kind of sensing.
+/// @param spread  by which the payload is less certain than the filters say
+rme::InertialGaussian<double> mixture(const rme::Tracker<double, 7>& tracker, double spread) {
+  const auto& bank = tracker.bank();
+  const Hypothesis held[] = {Hypothesis::Steady, Hypothesis::Filling, Hypothesis::Exchanged, Hypothesis::Pushed};
+  double total = 0;
+  rme::InertialGaussian<double> out;
+  for (const Hypothesis h : held) total += bank.probability(h);
+  for (const Hypothesis h : held) out.mean += bank.probability(h) / total * bank.star(h).mean();
+  for (const Hypothesis h : held) {
+    const rme::InertialVector<double> d = bank.star(h).mean() - out.mean;
+    out.covariance += bank.probability(h) / total * (spread * spread * bank.star(h).covariance() + d * d.transpose());
+  }
+  return out;
+}
+
 TEST_CASE("Tracker: the belief has the moments of the mixture over all that is not empty", "[tracker]") {
   using rme::Sensing;
   for (const auto& [sensing, spread] :
@@ -260,23 +276,32 @@ TEST_CASE("Tracker: the belief has the moments of the mixture over all that is n
                                     sensing);
     tracker.declare_empty();
     // Before the first block all banks hold the same of the payload: the prior, and beside a push nothing.
-    const auto& bank = tracker.bank();
-    const Hypothesis held[] = {Hypothesis::Steady, Hypothesis::Filling, Hypothesis::Exchanged, Hypothesis::Pushed};
-    double total = 0;
-    rme::InertialGaussian<double> mixture;
-    for (const Hypothesis h : held) total += bank.probability(h);
-    for (const Hypothesis h : held) mixture.mean += bank.probability(h) / total * bank.star(h).mean();
-    for (const Hypothesis h : held) {
-      const rme::InertialVector<double> d = bank.star(h).mean() - mixture.mean;
-      mixture.covariance +=
-          bank.probability(h) / total * (spread * spread * bank.star(h).covariance() + d * d.transpose());
-    }
-    REQUIRE(bank.star(Hypothesis::Pushed).mean().isZero(0));
-    const auto expected = rme::within_rated(mixture, kRated);
+    REQUIRE(tracker.bank().star(Hypothesis::Pushed).mean().isZero(0));
+    auto expected = mixture(tracker, spread);
+    const double link = 0.15 * 0.15 * tracker.bank().noise().first_moment_variance();
+    for (int i = 1; i < 4; ++i) expected.covariance(i, i) += link;
+    expected = rme::within_rated(expected, kRated);
     const auto& payload = tracker.belief().payload;
     CHECK((payload.mean - expected.mean).norm() < 1e-12);
     CHECK((payload.covariance - expected.covariance).norm() < 1e-12);
   }
+}
+
+TEST_CASE("Tracker: the payload's first moment is no more certain than the last link's, most of all along its axis",
+          "[tracker]") {
+  const std::uint64_t seed = 676;
+  CAPTURE(seed);
+  Scene<double> scene(seed, false, rme::Sensing::LinkSide);
+  scene.live(1, 0);
+  scene.attach(kTool);
+  scene.live(2, 0.5);
+  const double link = scene.tracker().bank().noise().first_moment_variance();
+  REQUIRE(link > 1e-8);
+  const rme::InertialMatrix<double> added = scene.belief().payload.covariance - mixture(scene.tracker(), 1).covariance;
+  rme::InertialMatrix<double> expected = rme::InertialMatrix<double>::Zero();
+  for (int i = 1; i < 4; ++i) expected(i, i) = 0.15 * 0.15 * link;
+  expected(3, 3) += link;  // a Panda's last joint turns about z of the flange
+  CHECK((added - expected).norm() < 1e-6 * link);
 }
 
 TEST_CASE("Tracker: no mass is believed that is negative or beyond the rated one, whatever the host says",

@@ -88,7 +88,6 @@ class HypothesisBank {
   Scalar update(Star& star) noexcept;
   Scalar push_likelihood(const Star& star) noexcept;
   void evaluate_exchange(Star& star) noexcept;
-  void forget(Star& star) const noexcept;
   InertialMatrix<Scalar> filling(const Star& star) const noexcept;
   /// log P(m is a mass that an arm can tell from nothing, and can hold) of a star.
   Scalar log_plausible(const Star& star) const noexcept;
@@ -175,8 +174,8 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                          const BlockContext<Scalar>& context) noexcept {
   model_.begin(block, regime, context);
   exchange_likely_ = context.exchange_likely;
-  exchange_anew_ = since_exchange_ < Scalar(kSettling) && since_exchange_ + block.duration >= Scalar(kSettling) &&
-                   worst_ > Scalar(kSpoilt);
+  exchange_anew_ = !model_.learns_lag() && since_exchange_ < Scalar(kSettling) &&
+                   since_exchange_ + block.duration >= Scalar(kSettling) && worst_ > Scalar(kSpoilt);
   kind_likely_ = context.kind_likely;
   for (std::size_t to = 0; to < kHypotheses; ++to) {
     Scalar sum = Scalar(0);
@@ -235,7 +234,6 @@ void HypothesisBank<Scalar, Dofs>::take_in(Hypothesis h) noexcept {
       star.diffuse(filling(star));
       [[fallthrough]];
     case Hypothesis::Steady:
-      forget(star);
       likelihood_[h] = update(star);
       likelihood_[h] += log_plausible(star);
       break;

@@ -17,8 +17,12 @@ namespace rme {
 ///
 ///     tau_j = h_j^T phi + offset - d coulomb - dq viscous + residual + s stiction + noise
 ///
-/// with d the mean direction of motion and s the share of the block in which the joint rests. Real time: nothing
-/// allocates.
+/// with d the mean direction of motion and s the share of the block in which the joint rests. A link-side sensor sees no
+/// friction; there it is
+///
+///     tau_j = h_j^T phi + offset + lag dtau_ext,j/dt + residual + noise
+///
+/// where the lag is zero until late() says otherwise. Real time: nothing allocates.
 template <typename Scalar, int Dofs>
 class JointTorqueModel {
  public:
@@ -39,7 +43,10 @@ class JointTorqueModel {
     for (int j = 0; j < Dofs; ++j) {
       auto& joint = star.joint(j);
       joint.covariance(kOffset, kOffset) = arm_.offset[j] * arm_.offset[j];
-      if (sensing_ == Sensing::LinkSide) continue;
+      if (sensing_ == Sensing::LinkSide) {
+        joint.covariance(kLag, kLag) = Scalar(kLagSpread * kLagSpread);
+        continue;
+      }
       joint.mean[kCoulomb] = arm_.coulomb[j];
       joint.mean[kViscous] = arm_.viscous[j];
       joint.covariance(kCoulomb, kCoulomb) = Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];
@@ -66,6 +73,8 @@ class JointTorqueModel {
     if (sensing_ == Sensing::LinkSide || regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
     return Scalar(6.25) * stiction_variance(star, j);
   }
+  /// Whether the lag is a nuisance.
+  bool learns_lag() const noexcept { return sensing_ == Sensing::LinkSide; }
   /// Whether the arm's model is taken to be rough.
   bool rough() const noexcept { return sensing_ == Sensing::RoughModel; }
   /// Resets to their priors what can hide a payload while it is not noticed: the residual, and what holds a joint at rest.
@@ -95,6 +104,12 @@ class JointTorqueModel {
       star.joint(j).covariance(kOffset, kOffset) += share * off * off;
     }
   }
+  /// A change of the torque is badly explained: the lag that has been taken out of it is not what it is said to be, or
+  /// it comes late. From the next block on, the lag is learned from what follows a large change.
+  void late() noexcept {
+    late_ = true;
+    watch_ = Scalar(kWatchLag);
+  }
   /// Adds the prior's variance to the offsets'.
   void reopen_offset(Star& star) const noexcept {
     for (int j = 0; j < Dofs; ++j) star.joint(j).covariance(kOffset, kOffset) += arm_.offset[j] * arm_.offset[j];
@@ -110,8 +125,10 @@ class JointTorqueModel {
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< that begin() was given
 
  private:
-  static constexpr double kGain = 0.02;  // error of a torque sensor's gain
-  static constexpr double kGone = 0.1;   // of a load, that may seem to be left where all of it has gone
+  static constexpr double kLagSpread = 0.015;  // of an observer of 50 rad/s that is half or twice as fast as said [s]
+  static constexpr double kWatchLag = 0.6;     // after a large change [s]
+  static constexpr double kGain = 0.02;        // error of a torque sensor's gain
+  static constexpr double kGone = 0.1;         // of a load, that may seem to be left where all of it has gone
   // Of the residual's variance, where the arm's model is rough: what gears hold at rest; the noise of a joint that
   // starts, stops or turns back; and what comes to it the slower the joint is.
   static constexpr double kRoughStiction = 16;
@@ -128,6 +145,7 @@ class JointTorqueModel {
     for (int i = 0; i < kJointNuisances; ++i) V(n, i) *= keep;
     V(n, n) += (Scalar(1) - keep * keep) * variance;
   }
+  void follow_changes(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   void follow_compensation(const TorqueBlock<Scalar, Dofs>& block, const BlockContext<Scalar>& context) noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
@@ -144,6 +162,8 @@ class JointTorqueModel {
   Scalar inertia_arm_;
   SensorNoise<Scalar, Dofs> noise_;
   bool started_ = false, friction_shows_ = false;
+  bool late_ = false;         // torque and motion are not in time
+  Scalar watch_ = Scalar(0);  // for which their lag is to be learned yet [s]
   TorqueBlock<Scalar, Dofs> block_;
   FrictionRegime<Scalar, Dofs> regime_;
   // How far friction has turned over in this block, and lately (turn()).

@@ -21,9 +21,8 @@ namespace rme {
 ///
 /// Residual, one scale per joint: if it is right, innovations are white. If they are correlated with those before, the
 /// residual is larger than assumed, and smaller if they are anticorrelated (Mehra, IEEE Trans. Automatic Control 1970).
-/// Only blocks in which the arm moves count. What is held takes on part of a residual, which then seems smaller than it
-/// is: that counts less. The longer an arm has moved, the more slowly its residual is learned: otherwise a
-/// pour would be learned as residual.
+/// Only blocks in which the arm moves count. The longer an arm has moved, the more slowly its residual is learned:
+/// otherwise a pour would be learned as residual.
 ///
 /// A rough model's residual has one scale for all joints, and is another one in each motion. It is smoother than the
 /// tracker's, so that innovations would never be white, however large it is: there, innovations that are smaller than
@@ -55,17 +54,17 @@ class SensorNoise {
     return s * s;
   }
 
-  /// By how much the variance of what a payload has shown grows with the arm's motion, relative to itself [1/rad]
-  /// (docs/theory.md (T28)): a residual is the same again whenever the arm comes back to a pose, and does not average
-  /// out.
-  Scalar forgetting() const noexcept {
-    if (rough_) return Scalar(0);  // it forgets its residual in each motion
-    Scalar sum = Scalar(0);
+  /// Variance of the first moment [(kg m)^2] that the link which carries the payload may be off by, if it is as wrong as
+  /// all joints' residuals say that links are (docs/theory.md (T28)). However long the arm moves, this cannot be told
+  /// from the payload's. 0 for a rough model, whose payload is less certain for another reason (Tracker).
+  Scalar first_moment_variance() const noexcept {
+    if (rough_) return Scalar(0);
+    Scalar sum = Scalar(0), scale = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
-      const Scalar size = residual_[j] / Scalar(kUsualResidual);
-      sum += std::min(Scalar(1), size * size);
+      sum += residual_[j] * residual_[j] - static_cast<Scalar>(range_.least * range_.least);
+      scale = std::max(scale, share_[j] / Scalar(kGravity));
     }
-    return Scalar(kForgetting) * sum / Scalar(Dofs);
+    return scale * scale * sum / Scalar(Dofs);
   }
 
   /// Notices that a joint has become noisier, whatever else happens: white torque turns back block after block, which
@@ -121,7 +120,7 @@ class SensorNoise {
         evidence[j] += Scalar(kShare) * std::max(Scalar(0), 1 - variance_[j] / variance[j]) * (white * white - 1);
       average_[j] = keep * average_[j] + add * white;
     }
-    learn_residual(empty, evidence, weight);
+    learn_residual(evidence, weight);
   }
   /// Something happens: the next block has no predecessor.
   void interrupt() noexcept { usable_.fill(false); }
@@ -129,7 +128,7 @@ class SensorNoise {
  private:
   /// @param evidence  for a larger residual, of each joint
   /// @param weight    that the block has, 0 to 1
-  void learn_residual(bool empty, const Vector& evidence, Scalar weight) noexcept {
+  void learn_residual(const Vector& evidence, Scalar weight) noexcept {
     using std::exp;
     if (!rough_) motion_ = std::min(motion_ + weight, Scalar(kMotion));
     const Scalar pace = rough_ ? Scalar(1) : std::min(Scalar(1), Scalar(kNew) / motion_);
@@ -137,7 +136,6 @@ class SensorNoise {
     for (int j = 0; j < Dofs; ++j) {
       Scalar e = (rough_ ? all : Scalar(kOwn) * evidence[j]) * weight;
       e = std::max(Scalar(-6), std::min(Scalar(6), e)) * pace;
-      if (!empty && !rough_ && e < 0) e *= Scalar(kHeld);
       residual_[j] *= exp(Scalar(0.5 * kStep) * e);
       residual_[j] =
           std::max(static_cast<Scalar>(range_.least), std::min(static_cast<Scalar>(range_.largest), residual_[j]));
@@ -155,22 +153,20 @@ class SensorNoise {
   // whether friction shows or not. A residual on a link-side arm that could absorb as much as friction would be one
   // more friction model, and a bad one.
   static constexpr Range kResidual[kSensings] = {{0.015, 0.005, 0.1}, {0.015, 0.005, 0.1}, {0.3, 0.1, 4}};
-  static constexpr double kPriorBlocks = 5;       // that the prior counts for
-  static constexpr double kWatch = 25;            // blocks that watch() looks back on
-  static constexpr double kNoisier = 4;           // times the variance, which no hour of events and white noise shows
-  static constexpr double kMost = 9;              // times the variance that one block may show: one event is not enough
-  static constexpr double kMemory = 500;          // blocks: 10 s
-  static constexpr double kFullWay = 0.002;       // [rad] in a block: 0.1 rad/s
-  static constexpr double kOwn = 4;               // joints, as so many a joint's own evidence counts for its residual
-  static constexpr double kHeld = 0.6;            // of evidence for a smaller residual, while something is held
-  static constexpr double kStep = 0.05;           // of log variance per unit of correlation, at first
-  static constexpr double kNew = 100;             // blocks of motion for which that is so
-  static constexpr double kMotion = 1000;         // blocks of motion that are remembered: 20 s
-  static constexpr double kKeep = 0.96;           // of a block: the average looks half a second back
-  static constexpr double kRoughKeep = 0.9;       // 0.2 s
-  static constexpr double kShare = 0.5;           // of the size of innovations, in the evidence
-  static constexpr double kForgetting = 0.35;     // [1/rad], where the residual is what is usual or more
-  static constexpr double kUsualResidual = 0.02;  // [N m] of the arm's scale
+  static constexpr double kPriorBlocks = 5;  // that the prior counts for
+  static constexpr double kWatch = 25;       // blocks that watch() looks back on
+  static constexpr double kNoisier = 4;      // times the variance, which no hour of events and white noise shows
+  static constexpr double kMost = 9;         // times the variance that one block may show: one event is not enough
+  static constexpr double kMemory = 500;     // blocks: 10 s
+  static constexpr double kFullWay = 0.002;  // [rad] in a block: 0.1 rad/s
+  static constexpr double kOwn = 4;          // joints, as so many a joint's own evidence counts for its residual
+  static constexpr double kStep = 0.05;      // of log variance per unit of correlation, at first
+  static constexpr double kNew = 100;        // blocks of motion for which that is so
+  static constexpr double kMotion = 1000;    // blocks of motion that are remembered: 20 s
+  static constexpr double kKeep = 0.96;      // of a block: the average looks half a second back
+  static constexpr double kRoughKeep = 0.9;  // 0.2 s
+  static constexpr double kShare = 0.5;      // of the size of innovations, in the evidence
+  static constexpr double kGravity = 9.81;   // [m/s^2]
 
   bool rough_;
   Vector share_, variance_, floor_, blocks_;

@@ -12,11 +12,13 @@ namespace rme {
 
 /// What a joint's torque contains besides the payload's; the order of every nuisance vector.
 enum Nuisance : int {
-  kOffset,    ///< of the torque sensor [N m]
-  kCoulomb,   ///< friction of a moving joint, against its motion [N m]
-  kViscous,   ///< the same per joint velocity [N m s/rad]
-  kResidual,  ///< of the arm's rigid-body model: wanders as the arm moves [N m]
-  kStiction,  ///< friction torque of a resting joint [N m]
+  kOffset,   ///< of the torque sensor [N m]
+  kCoulomb,  ///< friction of a moving joint, against its motion [N m]
+  kViscous,  ///< the same per joint velocity [N m s/rad]
+  kLag =
+      kViscous,  ///< of a sensor that sees no friction, in place of it: tau_ext minus lag times its rate is in time [s]
+  kResidual,     ///< of the arm's rigid-body model: wanders as the arm moves [N m]
+  kStiction,     ///< friction torque of a resting joint [N m]
 };
 inline constexpr int kJointNuisances = 5;  ///< enumerators of Nuisance
 
@@ -163,21 +165,6 @@ class StarGaussian {
     empty_ = true;
   }
 
-  /// What is known of phi becomes less certain: deviations of each entry times `by`, >= 1, until they are those of
-  /// `bound`, a factor of the covariance that they do not exceed.
-  void widen(Scalar by, const PhiMatrix& bound) noexcept {
-    using std::sqrt;
-    for (int i = 0; i < kInertial; ++i) {
-      Scalar variance = Scalar(0), largest = Scalar(0);
-      for (int k = 0; k < kInertial; ++k) {
-        variance += factor_(i, k) * factor_(i, k);
-        largest += bound(i, k) * bound(i, k);
-      }
-      if (!(variance > 0) || !(variance < largest)) continue;
-      const Scalar scale = std::min(by, sqrt(largest / variance));
-      for (int k = 0; k < kInertial; ++k) factor_(i, k) *= scale;
-    }
-  }
   /// phi += N(0, Q).
   void diffuse(const PhiMatrix& Q) noexcept {
     const PhiMatrix before = covariance();

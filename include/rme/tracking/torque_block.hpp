@@ -19,6 +19,7 @@ struct TorqueBlock {
   double end = 0;                                       ///< instant of its last sample [s]
   Scalar duration = Scalar(0);                          ///< [s], > 0
   JointVector<Scalar, Dofs> tau;                        ///< external torque, the observer's lag taken out [N m]
+  JointVector<Scalar, Dofs> torque_rate;                ///< of tau_ext as it came [N m/s]
   Eigen::Matrix<Scalar, Dofs, kInertial> regressor;     ///< d tau / d phi
   Jacobian<Scalar, Dofs> jacobian;                      ///< of the last sample
   Matrix3<Scalar> rotation;                             ///< of the last sample
@@ -133,6 +134,7 @@ void BlockAverager<Scalar, Dofs>::begin() noexcept {
   parts_ = differences_ = 0;
   duration_ = weight_ = Scalar(0);
   sums_.tau.setZero();
+  sums_.torque_rate.setZero();
   sums_.regressor.setZero();
   sums_.velocity.setZero();
   sums_.velocities.setZero();
@@ -199,6 +201,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   // Not quite zero where a block, of samples that jitter, lasts longer than was meant.
   const Scalar shape = std::max(Scalar(0.05), 6 * along * (Scalar(1) - along)), weight = h * shape;
   detail::add_scaled(sums_.tau, weight, torque_);
+  detail::add_scaled(sums_.torque_rate, shape, detail::difference(sample.tau_ext, last_.tau_ext));
   detail::add_scaled(part_velocity_, h, sample.dq);
   part_duration_ += h;
   part_weight_ += weight;
@@ -226,6 +229,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   sums_.end = time;
   sums_.duration = duration_;
   sums_.tau /= weight_;
+  sums_.torque_rate /= weight_;
   sums_.regressor /= weight_;
   sums_.velocity /= duration_;
   for (int i = parts_; i < kBlockParts; ++i)

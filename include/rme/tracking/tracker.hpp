@@ -62,6 +62,7 @@ class Tracker {
     regime_.update(block);
     duration_ = block.duration;
     speed_ = block.velocity.norm();
+    last_axis_ = detail::transposed_product(block.rotation, Vector3<Scalar>(block.jacobian.col(Dofs - 1).tail(3)));
     BlockContext<Scalar> context;
     context.exchange_likely = exchange_likely;
     context.friction_shows = belief_.sensing[static_cast<std::size_t>(Sensing::LinkSide)] < Scalar(kCertain);
@@ -145,6 +146,7 @@ class Tracker {
   // The errors of a rough model are the same again wherever the arm comes back, which its bank does not know: the payload
   // is as uncertain as so many of the bank's standard deviations (docs/theory.md, "Friction").
   static constexpr double kRoughSpread = 1.7;
+  static constexpr double kAcross = 0.15;  // of the error of a link's first moment, across the last joint's axis
   static constexpr double kDecided = 300;  // an arm that was serviced is recognised after some seconds of motion [nats]
   static constexpr double kUnlikely = 1e-3;  // a kind below it gets no hypothesis that is not needed
   static constexpr double kCertain = 1e-6;   // of link-side sensing, where friction is certain to show
@@ -212,9 +214,21 @@ class Tracker {
         detail::add_outer(out.payload.covariance, detail::scaled(w, d), d);
       }
     }
+    if (held > 0) add_model_error(share, out.payload.covariance);
     out.payload = within_rated(out.payload, rated_);
     if (!detail::finite(out.payload.mean) || !detail::finite(out.payload.covariance)) out.payload = belief_.payload;
     belief_ = out;
+  }
+
+  /// What the first moment of the link that carries the payload may be off by is an error of the payload's. The link
+  /// before turns with it but for the last joint, so that most of both errors is along that joint's axis.
+  void add_model_error(const std::array<Scalar, kSensings>& share, InertialMatrix<Scalar>& covariance) const noexcept {
+    Scalar variance = Scalar(0);
+    for (std::size_t k = 0; k < kSensings; ++k) variance += share[k] * banks_[k].noise().first_moment_variance();
+    for (int i = 0; i < 3; ++i) {
+      covariance(1 + i, 1 + i) += Scalar(kAcross * kAcross) * variance;
+      for (int j = 0; j < 3; ++j) covariance(1 + i, 1 + j) += variance * last_axis_[i] * last_axis_[j];
+    }
   }
 
   PayloadPrior<Scalar> payload_;
@@ -225,6 +239,7 @@ class Tracker {
   int step_ = 0;                                        // that are left for this block
   Scalar duration_ = Scalar(0), speed_ = Scalar(0);
   TrackerBelief<Scalar> belief_;
+  Vector3<Scalar> last_axis_ = Vector3<Scalar>::Zero();              // of the last joint, in end-effector axes
   InertialVector<Scalar> carried_ = InertialVector<Scalar>::Zero();  // phi that belief_ had at the block before
 };
 

@@ -133,21 +133,6 @@ Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept 
   return push_.update(e, S, model_.block().jacobian, model_.block().duration, goes_on_);
 }
 
-/// What the payload's torque has shown some way ago counts less, where the arm's model is off (docs/theory.md (T28)).
-/// What motion does not show returns to the prior, and no further. The inertia is kept: it shows in accelerations, and
-/// the model's error in poses.
-template <typename Scalar, int Dofs>
-void HypothesisBank<Scalar, Dofs>::forget(Star& star) const noexcept {
-  using std::exp;
-  const TorqueBlock<Scalar, Dofs>& block = model_.block();
-  const Scalar grown = model_.noise().forgetting() * block.velocity.norm() * block.duration;
-  if (!(grown > Scalar(1e-6))) return;
-  const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, star.mean()[0]));
-  InertialMatrix<Scalar> bound = payload_.factor(mass * mass);
-  for (int i = 4; i < kInertial; ++i) bound(i, i) = Scalar(0);
-  star.widen(exp(Scalar(0.5) * grown), bound);
-}
-
 /// Covariance of what is poured in within a block: any mass, with its centre about where the payload's is.
 template <typename Scalar, int Dofs>
 InertialMatrix<Scalar> HypothesisBank<Scalar, Dofs>::filling(const Star& star) const noexcept {
@@ -190,9 +175,9 @@ Scalar HypothesisBank<Scalar, Dofs>::log_plausible(const Star& star) const noexc
   return log(std::max(Scalar(1e-30), below(Scalar(kHeaviest) * rated_) - below(Scalar(kLightest) * rated_)));
 }
 
-/// Follows what comes after an exchange. If its first tenth of a second was badly explained, by an observer that is not
-/// what it is said to be, say, nuisances have taken on what was not theirs: the payload is then found again, from what
-/// was known of the arm before.
+/// Follows what comes after an exchange. If its first tenth of a second is badly explained, the observer may not be what
+/// it is said to be. A lag is learned where it can be. Elsewhere nuisances have taken on what was not theirs: the payload
+/// is then found again, from what was known of the arm before.
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::follow_exchange() noexcept {
   const bool held = probability_[Hypothesis::Steady] + probability_[Hypothesis::Filling] > Scalar(0.5);
@@ -200,6 +185,7 @@ void HypothesisBank<Scalar, Dofs>::follow_exchange() noexcept {
     stars_[index(Hypothesis::Steady)] = stars_[index(Hypothesis::Filling)] = stars_[index(Hypothesis::Exchanged)];
   since_exchange_ += model_.block().duration;
   worst_ = std::max(worst_, innovation_squared_);
+  if (since_exchange_ < Scalar(kSettling) && innovation_squared_ > Scalar(kSpoilt)) model_.late();
   if (probability_[Hypothesis::Exchanged] > Scalar(0.5)) since_exchange_ = worst_ = Scalar(0);
 }
 

@@ -21,6 +21,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     timing_noise_[j] = change * change + Scalar(kSteps) * step * step;
   }
   noise_.watch(block, timing_noise_);
+  follow_changes(block);
   follow_torque(block);
   follow_compensation(block, context);
   turn(block);
@@ -48,6 +49,18 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   block_ = block;
   regime_ = regime;
   friction_shows_ = context.friction_shows;
+}
+
+/// Once the torque is known to be late, each large change shows by how much. Without one, noise that is in the torque
+/// and in its rate alike would be taken for a lag.
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::follow_changes(const TorqueBlock<Scalar, Dofs>& block) noexcept {
+  constexpr double kLarge = 20;  // standard deviations of a block's noise
+  watch_ = std::max(Scalar(0), watch_ - block.duration);
+  for (int j = 0; j < Dofs && late_; ++j) {
+    const Scalar change = block.torque_rate[j] * block.duration;
+    if (change * change > Scalar(kLarge * kLarge) * noise_.variance(j)) watch_ = Scalar(kWatchLag);
+  }
 }
 
 /// A joint that rests balances whatever comes: its torque changes as that of its motor does, and its friction with it.
@@ -160,7 +173,7 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
   for (int i = 0; i < kInertial; ++i) o.h[i] = block_.regressor(j, i);
   o.noise = noise_.variance(j) + timing_noise_[j] + mass * mass * inertia_noise_[j];
   if (sensing_ == Sensing::LinkSide) {
-    o.c << 1, 0, 0, 1, 0;
+    o.c << 1, 0, watch_ > 0 ? block_.torque_rate[j] : Scalar(0), 1, 0;
     return o;
   }
   if (sensing_ == Sensing::RoughModel) {
