@@ -388,6 +388,7 @@ TEST_CASE("JointTorqueModel: the prior is the arm's, friction give or take half 
       CHECK((star.joint(j).covariance - BetaMatrix(variance.asDiagonal())).norm() < 1e-14);
     }
     CHECK(model.rough() == (sensing == Sensing::RoughModel));
+    CHECK(model.learns_lag() == (sensing == Sensing::LinkSide));
   }
 }
 
