@@ -84,7 +84,12 @@ TEST_CASE("JointTorqueModel: a lag counts for 0.6 s after it has shown, and afte
     const double large = 21 * std::sqrt(model.noise().variance(0)) / 0.02, small = 0.9 * large;
     CHECK(lag_after(large).isZero(0));  // nothing is late yet
     if (link_side) CHECK(model.prior().joint(0).covariance(rme::kLag, rme::kLag) == Approx(0.015 * 0.015));
-    model.late();
+    // More than a lag could leave, counted in standard deviations, is a push.
+    model.unexplained(0.022 * Joints(large, 0.5 * large), Joints::Ones());
+    CHECK(lag_after(large).isZero(0));
+    model.unexplained(Joints(0, 0.022 * large), Joints(1, 0.2));
+    CHECK(lag_after(large).isZero(0));
+    model.unexplained(Joints(0, 0.022 * large), Joints(1, 1));
     int blocks = 0;
     while (blocks < 100 && !lag_after(small).isZero(0)) ++blocks;
     CHECK(blocks == (link_side ? 29 : 0));

@@ -92,7 +92,7 @@ class HypothesisBank {
   /// log P(m is a mass that an arm can tell from nothing, and can hold) of a star.
   Scalar log_plausible(const Star& star) const noexcept;
   bool settled_explains() const noexcept;
-  void follow_exchange() noexcept;
+  void follow_exchange(Hypothesis settled) noexcept;
   void follow_pour() noexcept;
 
   JointTorqueModel<Scalar, Dofs> model_;
@@ -273,7 +273,7 @@ Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
   for (const Hypothesis h : {Hypothesis::Steady, Hypothesis::Filling})
     if (in_question_[h] && (!in_question_[settled] || predicted_[h] > predicted_[settled])) settled = h;
   innovation_squared_ = squared_[settled];
-  follow_exchange();
+  follow_exchange(settled);
   const Hypothesis sure =
       probability_[Hypothesis::Empty] > probability_[Hypothesis::Steady] ? Hypothesis::Empty : Hypothesis::Steady;
   if (probability_[sure] > Scalar(0.9)) {

@@ -22,7 +22,7 @@ namespace rme {
 ///
 ///     tau_j = h_j^T phi + offset + lag dtau_ext,j/dt + residual + noise
 ///
-/// where the lag is zero until late() says otherwise. Real time: nothing allocates.
+/// where the lag is zero until it has shown (unexplained()). Real time: nothing allocates.
 template <typename Scalar, int Dofs>
 class JointTorqueModel {
  public:
@@ -104,9 +104,18 @@ class JointTorqueModel {
       star.joint(j).covariance(kOffset, kOffset) += share * off * off;
     }
   }
-  /// A change of the torque is badly explained: the lag that has been taken out of it is not what it is said to be, or
-  /// it comes late. From the next block on, the lag is learned from what follows a large change.
-  void late() noexcept {
+  /// A change of the torque is badly explained. If a lag would leave as much at the torque's rate, then what has been
+  /// taken out of the torque is not its lag, or it comes late: from the next block on, the lag is learned from what
+  /// follows a large change. Otherwise somebody pushes.
+  /// @param innovation, variance  of each joint [N m, (N m)^2]
+  void unexplained(const JointVector<Scalar, Dofs>& innovation, const JointVector<Scalar, Dofs>& variance) noexcept {
+    Scalar left = Scalar(0), lag = Scalar(0);
+    for (int j = 0; j < Dofs; ++j) {
+      const Scalar most = Scalar(kLargestLag) * block_.torque_rate[j];
+      left += innovation[j] * innovation[j] / variance[j];
+      lag += most * most / variance[j];
+    }
+    if (!(left < lag)) return;
     late_ = true;
     watch_ = Scalar(kWatchLag);
   }
@@ -125,10 +134,11 @@ class JointTorqueModel {
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< that begin() was given
 
  private:
-  static constexpr double kLagSpread = 0.015;  // of an observer of 50 rad/s that is half or twice as fast as said [s]
-  static constexpr double kWatchLag = 0.6;     // after a large change [s]
-  static constexpr double kGain = 0.02;        // error of a torque sensor's gain
-  static constexpr double kGone = 0.1;         // of a load, that may seem to be left where all of it has gone
+  static constexpr double kLagSpread = 0.015;   // of an observer of 50 rad/s that is half or twice as fast as said [s]
+  static constexpr double kLargestLag = 0.021;  // of an observer half as fast, and less than a push leaves [s]
+  static constexpr double kWatchLag = 0.6;      // after a large change [s]
+  static constexpr double kGain = 0.02;         // error of a torque sensor's gain
+  static constexpr double kGone = 0.1;          // of a load, that may seem to be left where all of it has gone
   // Of the residual's variance, where the arm's model is rough: what gears hold at rest; the noise of a joint that
   // starts, stops or turns back; and what comes to it the slower the joint is.
   static constexpr double kRoughStiction = 16;

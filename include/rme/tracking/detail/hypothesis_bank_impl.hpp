@@ -179,13 +179,14 @@ Scalar HypothesisBank<Scalar, Dofs>::log_plausible(const Star& star) const noexc
 /// it is said to be. A lag is learned where it can be. Elsewhere nuisances have taken on what was not theirs: the payload
 /// is then found again, from what was known of the arm before.
 template <typename Scalar, int Dofs>
-void HypothesisBank<Scalar, Dofs>::follow_exchange() noexcept {
+void HypothesisBank<Scalar, Dofs>::follow_exchange(Hypothesis settled) noexcept {
   const bool held = probability_[Hypothesis::Steady] + probability_[Hypothesis::Filling] > Scalar(0.5);
   if (exchange_anew_ && in_question_[Hypothesis::Exchanged] && held)
     stars_[index(Hypothesis::Steady)] = stars_[index(Hypothesis::Filling)] = stars_[index(Hypothesis::Exchanged)];
   since_exchange_ += model_.block().duration;
   worst_ = std::max(worst_, innovation_squared_);
-  if (since_exchange_ < Scalar(kSettling) && innovation_squared_ > Scalar(kSpoilt)) model_.late();
+  if (since_exchange_ < Scalar(kSettling) && innovation_squared_ > Scalar(kSpoilt))
+    model_.unexplained(innovation_[settled], variance_[settled]);
   if (probability_[Hypothesis::Exchanged] > Scalar(0.5)) since_exchange_ = worst_ = Scalar(0);
 }
 
