@@ -316,8 +316,12 @@ bool study_payloads(const Options& options, Kind kind, Files& files) {
   return good;
 }
 
-/// @return for how long an empty hand was believed to hold something [s], at the longest
-double push_arm(const Options& options, Kind kind, std::size_t run) {
+struct Push {
+  double carried = 0;  ///< for how long an empty hand was believed to hold something [s], at the longest
+  double across = 0;   ///< its force across gravity, which no payload at rest has [N]
+};
+
+Push push_arm(const Options& options, Kind kind, std::size_t run) {
   RandomHost random(options.seed + 1, run);
   const Draw draw = random.draw(kind, std::nullopt, false);
   Bench host(options, kind, draw, Swing(random));
@@ -328,7 +332,8 @@ double push_arm(const Options& options, Kind kind, std::size_t run) {
   }
   const double duration = random.uniform(0.3, 2);
   constexpr double kRamp = 0.05;  // at both ends [s]
-  double longest = 0, since = 0;
+  double since = 0;
+  Push push{0, force.head<2>().norm()};
   while (host.time() < kAttach + duration + kWatched) {
     const double t = host.time() - kAttach;
     const double share = std::clamp(std::min(t, duration - t) / kRamp, 0.0, 1.0);
@@ -336,27 +341,36 @@ double push_arm(const Options& options, Kind kind, std::size_t run) {
     host.arm().push({share * force, share * lever.cross(force)});
     host.tick();
     since = host.state().payload.mean[0] > kGhost ? since + kPeriod : 0;
-    longest = std::max(longest, since);
+    push.carried = std::max(push.carried, since);
   }
-  return longest;
+  return push;
 }
 
 /// @return whether next to none is carried
 bool study_pushes(const Options& options, Kind kind) {
-  std::vector<double> longest(options.pushes);
+  std::vector<Push> pushes(options.pushes);
   for_each(options.pushes, options, std::string("pushes, ") + name_of(kind),
-           [&](std::size_t i) { longest[i] = push_arm(options, kind, i); });
+           [&](std::size_t i) { pushes[i] = push_arm(options, kind, i); });
   std::array<int, 2> carried{}, of{};
-  for (std::size_t i = 0; i < longest.size(); ++i) {
-    carried[i % 2] += longest[i] > kCarried ? 1 : 0;
+  double longest = 0;
+  std::vector<double> across;  // of those that were carried
+  for (std::size_t i = 0; i < pushes.size(); ++i) {
     ++of[i % 2];
+    longest = std::max(longest, pushes[i].carried);
+    if (!(pushes[i].carried > kCarried)) continue;
+    ++carried[i % 2];
+    across.push_back(pushes[i].across);
   }
+  std::sort(across.begin(), across.end());
   const int all = carried[0] + carried[1];
   std::printf("\n%s: %zu pushes; taken for more than %.0f g for longer than %.1f s: %d (%.2f %%)\n", name_of(kind),
-              longest.size(), 1e3 * kGhost, kCarried, all, 100.0 * all / static_cast<double>(longest.size()));
+              pushes.size(), 1e3 * kGhost, kCarried, all, 100.0 * all / static_cast<double>(pushes.size()));
   std::printf("of those in any direction %d of %d, of those down and aside %d of %d; the longest for %.2f s\n",
-              carried[0], of[0], carried[1], of[1], *std::max_element(longest.begin(), longest.end()));
-  return 100 * all <= static_cast<int>(longest.size());
+              carried[0], of[0], carried[1], of[1], longest);
+  if (!across.empty())
+    std::printf("the force across gravity of those that were: half below %.2f N, nine tenths below %.2f N\n",
+                across[across.size() / 2], across[across.size() * 9 / 10]);
+  return 100 * all <= static_cast<int>(pushes.size());
 }
 
 constexpr double kQuietRun = 30;  // length of one quiet run [s]
