@@ -84,12 +84,7 @@ TEST_CASE("JointTorqueModel: a lag counts for 0.6 s after it has shown, and afte
     const double large = 21 * std::sqrt(model.noise().variance(0)) / 0.02, small = 0.9 * large;
     CHECK(lag_after(large).isZero(0));  // nothing is late yet
     if (link_side) CHECK(model.prior().joint(0).covariance(rme::kLag, rme::kLag) == Approx(0.015 * 0.015));
-    // More than a lag could leave, counted in standard deviations, is a push.
-    model.unexplained(0.022 * Joints(large, 0.5 * large), Joints::Ones());
-    CHECK(lag_after(large).isZero(0));
-    model.unexplained(Joints(0, 0.022 * large), Joints(1, 0.2));
-    CHECK(lag_after(large).isZero(0));
-    model.unexplained(Joints(0, 0.022 * large), Joints(1, 1));
+    CHECK(model.unexplained(Joints(0.02 * large, 0), Joints::Ones()) == link_side);
     int blocks = 0;
     while (blocks < 100 && !lag_after(small).isZero(0)) ++blocks;
     CHECK(blocks == (link_side ? 29 : 0));
@@ -99,6 +94,38 @@ TEST_CASE("JointTorqueModel: a lag counts for 0.6 s after it has shown, and afte
     blocks = 0;
     while (blocks < 100 && !lag_after(small).isZero(0)) ++blocks;
     CHECK(blocks == (link_side ? 29 : 0));
+  }
+}
+
+TEST_CASE(
+    "JointTorqueModel: torque is late if a lag of 21 ms leaves as much as is unexplained, at the rate of this block or "
+    "of "
+    "the last one",
+    "[joint_torque]") {
+  const Joints variance(1, 0.2);
+  for (const auto& [last, now] : {std::pair{Joints(0, 0), Joints(-3, 1)},
+                                  {Joints(-3, 1), Joints(0, 0)},
+                                  {Joints(1, -1), Joints(-3, 0.5)},
+                                  {Joints(-3, 0.5), Joints(2, 1)}}) {
+    const Joints rate = now.cwiseAbs().cwiseMax(last.cwiseAbs());
+    for (const double lag : {0.0209, 0.0211}) {
+      CAPTURE(last.transpose(), now.transpose(), lag);
+      Model model(Sensing::LinkSide, kArm, 0.01);
+      Regime regime;
+      Block block = at_rest();
+      regime.update(block);
+      for (const Joints& r : {last, now}) {
+        block.torque_rate = r;
+        model.begin(block, regime);
+      }
+      // Any innovation counts in its standard deviations.
+      const double length = lag * std::sqrt((rate.array().square() / variance.array()).sum());
+      const Joints innovation(0.6 * length, -0.8 * length * std::sqrt(variance[1]));
+      CHECK(model.unexplained(innovation, variance) == (lag < 0.021));
+      model.begin(block, regime);
+      CHECK((model.observation(0, 0).c[rme::kLag] == now[0]) == (lag < 0.021 || now[0] == 0));
+      CHECK_FALSE(model.unexplained(Joints::Constant(std::nan("")), variance));
+    }
   }
 }
 

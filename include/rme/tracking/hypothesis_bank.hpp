@@ -120,6 +120,7 @@ class HypothesisBank {
   Scalar unloaded_ = Scalar(0);  // share of what the hypothesis taken in begins with in which something else was so
   bool exchange_likely_ = false;
   bool exchange_anew_ = false;  // the exchange is looked at anew
+  bool late_ = false;           // the block before has shown that the torque of an exchange comes late
   bool kind_likely_ = true;     // that the arm has this bank's kind of torque sensing
   Scalar innovation_squared_ = Scalar(1);
 };
@@ -174,8 +175,8 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                          const BlockContext<Scalar>& context) noexcept {
   model_.begin(block, regime, context);
   exchange_likely_ = context.exchange_likely;
-  exchange_anew_ = !model_.learns_lag() && since_exchange_ < Scalar(kSettling) &&
-                   since_exchange_ + block.duration >= Scalar(kSettling) && worst_ > Scalar(kSpoilt);
+  const bool settles = since_exchange_ < Scalar(kSettling) && since_exchange_ + block.duration >= Scalar(kSettling);
+  exchange_anew_ = late_ || (!model_.learns_lag() && settles && worst_ > Scalar(kSpoilt));
   kind_likely_ = context.kind_likely;
   for (std::size_t to = 0; to < kHypotheses; ++to) {
     Scalar sum = Scalar(0);

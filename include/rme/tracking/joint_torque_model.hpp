@@ -104,20 +104,23 @@ class JointTorqueModel {
       star.joint(j).covariance(kOffset, kOffset) += share * off * off;
     }
   }
-  /// A change of the torque is badly explained. If a lag would leave as much at the torque's rate, then what has been
-  /// taken out of the torque is not its lag, or it comes late: from the next block on, the lag is learned from what
-  /// follows a large change. Otherwise somebody pushes.
+  /// A change of the torque is badly explained. If a lag would leave as much at the torque's rate, or made as much at the
+  /// rate of the block before, which the payload has taken on, then what has been taken out of the torque is not its lag,
+  /// or it comes late: from the next block on, the lag is learned from what follows a large change. Otherwise somebody
+  /// pushes.
   /// @param innovation, variance  of each joint [N m, (N m)^2]
-  void unexplained(const JointVector<Scalar, Dofs>& innovation, const JointVector<Scalar, Dofs>& variance) noexcept {
+  /// @return whether the torque is late
+  bool unexplained(const JointVector<Scalar, Dofs>& innovation, const JointVector<Scalar, Dofs>& variance) noexcept {
     Scalar left = Scalar(0), lag = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
-      const Scalar most = Scalar(kLargestLag) * block_.torque_rate[j];
+      const Scalar most = Scalar(kLargestLag) * std::max(std::abs(block_.torque_rate[j]), std::abs(rate_before_[j]));
       left += innovation[j] * innovation[j] / variance[j];
       lag += most * most / variance[j];
     }
-    if (!(left < lag)) return;
+    if (!(learns_lag() && left < lag)) return false;
     late_ = true;
     watch_ = Scalar(kWatchLag);
+    return true;
   }
   /// Adds the prior's variance to the offsets'.
   void reopen_offset(Star& star) const noexcept {
@@ -176,6 +179,8 @@ class JointTorqueModel {
   Scalar watch_ = Scalar(0);  // for which their lag is to be learned yet [s]
   TorqueBlock<Scalar, Dofs> block_;
   FrictionRegime<Scalar, Dofs> regime_;
+  JointVector<Scalar, Dofs> rate_before_ =
+      JointVector<Scalar, Dofs>::Zero();  // torque_rate of the block before [N m/s]
   // How far friction has turned over in this block, and lately (turn()).
   JointVector<Scalar, Dofs> turned_ = JointVector<Scalar, Dofs>::Zero(), turning_ = JointVector<Scalar, Dofs>::Zero();
   // Of each joint: its torque of late, and by how much that changes within this block beyond noise, or because the

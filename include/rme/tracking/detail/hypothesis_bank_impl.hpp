@@ -176,8 +176,9 @@ Scalar HypothesisBank<Scalar, Dofs>::log_plausible(const Star& star) const noexc
 }
 
 /// Follows what comes after an exchange. If its first tenth of a second is badly explained, the observer may not be what
-/// it is said to be. A lag is learned where it can be. Elsewhere nuisances have taken on what was not theirs: the payload
-/// is then found again, from what was known of the arm before.
+/// it is said to be, and the payload or the nuisances have taken on what was not theirs: the payload is found again, from
+/// what was known of the arm before. A lag that can be learned is so from the next block on, and the payload with it;
+/// otherwise the observer's tail has to be over.
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::follow_exchange(Hypothesis settled) noexcept {
   const bool held = probability_[Hypothesis::Steady] + probability_[Hypothesis::Filling] > Scalar(0.5);
@@ -185,8 +186,8 @@ void HypothesisBank<Scalar, Dofs>::follow_exchange(Hypothesis settled) noexcept 
     stars_[index(Hypothesis::Steady)] = stars_[index(Hypothesis::Filling)] = stars_[index(Hypothesis::Exchanged)];
   since_exchange_ += model_.block().duration;
   worst_ = std::max(worst_, innovation_squared_);
-  if (since_exchange_ < Scalar(kSettling) && innovation_squared_ > Scalar(kSpoilt))
-    model_.unexplained(innovation_[settled], variance_[settled]);
+  const bool spoilt = since_exchange_ < Scalar(kSettling) && innovation_squared_ > Scalar(kSpoilt);
+  late_ = spoilt && model_.unexplained(innovation_[settled], variance_[settled]);
   if (probability_[Hypothesis::Exchanged] > Scalar(0.5)) since_exchange_ = worst_ = Scalar(0);
 }
 

@@ -25,6 +25,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   follow_torque(block);
   follow_compensation(block, context);
   turn(block);
+  if (started_) rate_before_ = block_.torque_rate;
   started_ = true;
   // Noise of dq at both ends of the block is noise of the flange's acceleration: of the force on the payload, and of
   // the moment that turns it, whose arm is the prior's.
