@@ -1118,6 +1118,7 @@ TEST_CASE(
     auto bank = bank_of(arm);
     live(bank, arm, 100, kEmptyHand);
     const auto held = box(1.2, {0.02, 0.01, 0.1});
+    auto punctual = bank;  // which sees no rate, and so no lag
     // tau_ext reaches the load with a time constant of 20 ms, and its rate falls likewise: the first e-fold of it in the
     // block of the attach.
     for (int k = 0; k < 50; ++k) {
@@ -1125,8 +1126,12 @@ TEST_CASE(
       const double rate = std::exp(-k) * (1 - std::exp(-1)) / 0.02;
       block.torque_rate = rate * (block.regressor * held);
       block.tau += lag * block.torque_rate;
-      take_in(bank, block, arm.regime);
       CAPTURE(k);
+      auto regime = arm.regime;
+      const double evidence = take_in(bank, block, arm.regime);
+      block.torque_rate.setZero();
+      const double unlikelier = take_in(punctual, block, regime) - evidence;
+      if (k < 2) CHECK(unlikelier == Approx(lag != 0 && k == 1 ? 5 : 0).margin(1e-9));  // before the lag counts
       if (bank.probability(Hypothesis::Exchanged) > 0.5) {
         CHECK(k <= (lag > 0 ? 2 : lag < 0 ? 1 : 0));  // what is late seems to be another exchange
         continue;
