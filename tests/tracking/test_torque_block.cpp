@@ -455,6 +455,15 @@ TEST_CASE("BlockAverager: noise of dq is learned after a long time without any, 
   CHECK(learned_noise(averager, 1, [&](int k) { return k == 10 ? 1.0 : 1e-3 * normal(random); }) < 1.5 * noise);
 }
 
+TEST_CASE("BlockAverager: after a second each block counts a fiftieth of what noise of dq is", "[block]") {
+  Averager averager(0, kGravity, Averager::kDuration);
+  const double a = 2e-5, larger = 16 * 4 * a * a / 6;
+  (void)learned_noise(averager, 200, [=](int k) { return k % 2 == 0 ? a : -a; });
+  const auto zigzag = [=](int k) { return k % 2 == 0 ? 2 * a : -2 * a; };
+  const double before = learned_noise(averager, 1, zigzag);  // the change itself
+  CHECK(learned_noise(averager, 1, zigzag) - before == Approx((larger - before) / 50).epsilon(1e-6));
+}
+
 TEST_CASE("BlockAverager: noise of a joint that only turns the flange makes no block longer", "[block]") {
   // The payload's weight is regressed on the flange's linear acceleration.
   const unsigned seed = 530;
