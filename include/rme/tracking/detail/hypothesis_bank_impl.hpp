@@ -176,9 +176,9 @@ Scalar HypothesisBank<Scalar, Dofs>::log_plausible(const Star& star) const noexc
 }
 
 /// Follows what comes after an exchange. If its first tenth of a second is badly explained, the observer may not be what
-/// it is said to be, and the payload or the nuisances have taken on what was not theirs: the payload is found again, from
-/// what was known of the arm before. A lag that can be learned is so from the next block on, and the payload with it;
-/// otherwise the observer's tail has to be over.
+/// it is said to be, and payload or nuisances have taken on what was not theirs: the payload is found again, from what was
+/// known of the arm before. Where a lag explains it, that is done with the next block, in which the lag counts; without
+/// one, after the tenth of a second, when the observer's tail is over.
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::follow_exchange(Hypothesis settled) noexcept {
   const bool held = probability_[Hypothesis::Steady] + probability_[Hypothesis::Filling] > Scalar(0.5);
