@@ -1131,7 +1131,7 @@ TEST_CASE(
       const double evidence = take_in(bank, block, arm.regime);
       block.torque_rate.setZero();
       const double unlikelier = take_in(punctual, block, regime) - evidence;
-      if (k < 2) CHECK(unlikelier == Approx(lag != 0 && k == 1 ? 5 : 0).margin(1e-9));  // before the lag counts
+      if (k < 2) CHECK(unlikelier == Approx(lag != 0 && k == 1 ? 10 : 0).margin(1e-9));  // before the lag counts
       if (bank.probability(Hypothesis::Exchanged) > 0.5) {
         CHECK(k <= (lag > 0 ? 2 : lag < 0 ? 1 : 0));  // what is late seems to be another exchange
         continue;

@@ -74,7 +74,7 @@ class HypothesisBank {
   static constexpr double kDoubtful = 0.04 - 1e-6;  // that a payload may turn out to be a push [s]
   static constexpr double kSettling = 0.1 - 1e-6;   // after an exchange: observers' tails are over [s]
   static constexpr double kSpoilt = 4;              // e^T S^-1 e per joint that no payload explains
-  static constexpr double kLate = 5;                // against torque that comes late [nats]: on most arms it does not
+  static constexpr double kLate = 10;               // against torque that comes late [nats]: on most arms it does not
 
   Star& next(Hypothesis h) noexcept { return next_[index(h)]; }
   std::size_t likeliest() const noexcept {
