@@ -99,8 +99,7 @@ TEST_CASE("JointTorqueModel: a lag counts for 0.6 s after it has shown, and afte
 
 TEST_CASE(
     "JointTorqueModel: torque is late if a lag of 21 ms leaves as much as is unexplained, at the rate of this block or "
-    "of "
-    "the last one",
+    "the last",
     "[joint_torque]") {
   const Joints variance(1, 0.2);
   for (const auto& [last, now] : {std::pair{Joints(0, 0), Joints(-3, 1)},

@@ -316,6 +316,7 @@ bool study_payloads(const Options& options, Kind kind, Files& files) {
   return good;
 }
 
+/// What became of one push of an empty hand.
 struct Push {
   double carried = 0;  ///< for how long an empty hand was believed to hold something [s], at the longest
   double across = 0;   ///< its force across gravity, which no payload at rest has [N]
