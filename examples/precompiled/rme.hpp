@@ -1,6 +1,6 @@
 #pragma once
-// Precompiled for the examples, the tests and the benchmarks: what most of them include, and what most of them
-// instantiate, which rme.cpp does once for all. A program that does not see this file compiles just the same.
+// Precompiled for the examples, the tests and the benchmarks: what most of them include, and what most of them instantiate,
+// which the files beside this one do once for all. A program that does not see this file compiles just the same.
 #include <Eigen/Dense>
 #include <random>
 #include <rme/control/barriers.hpp>

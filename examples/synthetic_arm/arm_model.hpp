@@ -240,7 +240,7 @@ double ArmModel<Dofs>::energy(const Vector& q, const Vector& dq, const RigidBody
   return 0.5 * dq.dot(dynamics(q, dq, payload).mass_matrix * dq) + potential;
 }
 
-// Compiled once, in instantiations.cpp; an arm of another number of joints compiles where it is used.
+// Compiled once, in seven_joints.cpp and other_joints.cpp; an arm of another number of joints compiles where it is used.
 extern template struct ArmModel<4>;
 extern template struct ArmModel<5>;
 extern template struct ArmModel<6>;

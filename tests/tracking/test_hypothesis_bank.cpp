@@ -1150,6 +1150,30 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("HypothesisBank: torque that comes late is unlikely once, however many blocks of a hand-over seem late",
+          "[bank]") {
+  for (const unsigned seed : {671u, 672u, 673u, 674u}) {
+    CAPTURE(seed);
+    Arm<7> arm(seed);
+    arm.pose();
+    auto bank = bank_of(arm);
+    live(bank, arm, 100, kEmptyHand);
+    auto punctual = bank;  // which sees no rate, and so no lag
+    int paid = 0;
+    const rme::InertialVector<double> all = box(1.1, {0.05, 0.02, 0.13});
+    constexpr int kBlocks = 25;  // of 20 ms, in which it weighs in
+    for (int k = 0; k < kBlocks; ++k) {
+      auto block = arm.block((k + 0.5) / kBlocks * all);
+      block.torque_rate = block.regressor * all / (kBlocks * block.duration);
+      auto regime = arm.regime;
+      const double evidence = take_in(bank, block, arm.regime);
+      block.torque_rate.setZero();
+      if (take_in(punctual, block, regime) - evidence > 9) ++paid;
+    }
+    CHECK(paid == 1);
+  }
+}
+
 TEST_CASE("HypothesisBank: health is that of the settled hypothesis that was likeliest, whatever else is looked at",
           "[bank]") {
   Arm<7> arm(664);

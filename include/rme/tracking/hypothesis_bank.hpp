@@ -122,6 +122,7 @@ class HypothesisBank {
   bool exchange_likely_ = false;
   bool exchange_anew_ = false;  // the exchange is looked at anew
   bool late_ = false;           // the block before has shown that the torque of an exchange comes late
+  bool paid_ = false;           // kLate has been lost: once, as the arm does not change
   bool kind_likely_ = true;     // that the arm has this bank's kind of torque sensing
   Scalar innovation_squared_ = Scalar(1);
 };
@@ -290,7 +291,9 @@ Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
   } else {
     model_.interrupt();
   }
-  return highest + log(total) - (late_ ? Scalar(kLate) : Scalar(0));
+  const bool pays = late_ && !paid_;
+  paid_ = paid_ || late_;
+  return highest + log(total) - (pays ? Scalar(kLate) : Scalar(0));
 }
 
 }  // namespace rme

@@ -2,13 +2,6 @@
 
 namespace rme {
 
-template class Cholesky<double, 4>;
-template class Cholesky<double, 6>;
-template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&, const Matrix3<double>&,
-                                                                  const Vector3<double>&) noexcept;
-template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&, const Matrix3<double>&,
-                                                                  const Vector3<double>&, const FlangeMotion<double>&,
-                                                                  double) noexcept;
 template Status pseudo_wrench(const Eigen::MatrixBase<Jacobian<double, 7>>&,
                               const Eigen::MatrixBase<JointVector<double, 7>>&, double, Wrench<double>&) noexcept;
 template class SampleWindow<double, 7>;
@@ -21,10 +14,5 @@ template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<do
                       const VariationalInferenceConfig&, const Vector4<double>*) noexcept;
 template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
                       const MeanFieldConfig&) noexcept;
-template class Estimator<double, 7>;
-template class PassiveController<double>;
-template class JointLimits<double, 7>;
-template class Cpic<double, 7, 8>;
-template class Cpic<double, 7>;
 
 }  // namespace rme

@@ -1,0 +1,14 @@
+#include <precompiled/rme.hpp>
+
+namespace rme {
+
+template class Cholesky<double, 4>;
+template class Cholesky<double, 6>;
+template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&, const Matrix3<double>&,
+                                                                  const Vector3<double>&) noexcept;
+template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&, const Matrix3<double>&,
+                                                                  const Vector3<double>&, const FlangeMotion<double>&,
+                                                                  double) noexcept;
+template class Estimator<double, 7>;
+
+}  // namespace rme
