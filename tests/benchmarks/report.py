@@ -322,7 +322,7 @@ This page is written by `bash tests/benchmarks/run.sh`. Run it on your own machi
 {machine(build)}. {' '.join(FLAGS)}, unless a row says otherwise. One thread{', at real-time priority' if benchmarks.prefix else ''}; the machine is shared, and virtual.
 Between two ticks of the estimator a tick of a simulation runs, which uses the same caches.
 
-Every row names the program in `build/tests/benchmarks` that measures it. The times in the first tables are medians. "All measurements"
+Every row names the program in `build-benchmarks/tests/benchmarks` that measures it. The times in the first tables are medians. "All measurements"
 has what each program prints: the median and the times that 99 % and 99.9 % of the calls do not exceed.
 `panda.pt` is made by `python3 tests/benchmarks/trace.py examples/models/panda.json panda.pt`.
 
