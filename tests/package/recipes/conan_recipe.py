@@ -23,13 +23,18 @@ def cmake(*arguments):
 
 
 def copy(_, pattern, src, dst):
-    """As Conan's: every file whose path from src matches, under the same path."""
-    for path in Path(src).resolve().rglob("*"):
-        relative = path.relative_to(Path(src).resolve())
-        if path.is_file() and fnmatch.fnmatch(relative.as_posix(), pattern):
-            target = Path(dst) / relative
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(path, target)
+    """As Conan's: every file whose path from src matches, under the same path.
+
+    Other tests make and delete folders under src meanwhile: os.walk passes over those that are gone, rglob does not.
+    """
+    src = Path(src).resolve()
+    for folder, _, names in os.walk(src):
+        for name in names:
+            relative = (Path(folder) / name).relative_to(src)
+            if fnmatch.fnmatch(relative.as_posix(), pattern):
+                target = Path(dst) / relative
+                target.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(src / relative, target)
 
 
 class Toolchain:
