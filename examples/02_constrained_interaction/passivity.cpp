@@ -167,8 +167,8 @@ Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, const Scenario& s
     if (t >= next_exchange && !lies) {
       const RigidBody before = arm.payload();
       if (handle < 0) {
-        const Eigen::Vector3d com(0.1 * uniform(random) - 0.05, 0.1 * uniform(random) - 0.05, 0.12 * uniform(random));
-        handle = arm.attach(box(0.3 + (kLargestMass - 0.3) * uniform(random), com, {0.08, 0.08, 0.1}));
+        const double z = 0.12 * uniform(random), y = 0.1 * uniform(random) - 0.05, x = 0.1 * uniform(random) - 0.05;
+        handle = arm.attach(box(0.3 + (kLargestMass - 0.3) * uniform(random), {x, y, z}, {0.08, 0.08, 0.1}));
       } else {
         arm.detach(handle);
         handle = -1;
@@ -178,7 +178,8 @@ Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, const Scenario& s
       next_exchange = t + 1 + 3 * uniform(random);
     }
     if (t >= next_push) {
-      const Eigen::Vector3d way(normal(random), normal(random), normal(random));
+      const double z = normal(random), y = normal(random), x = normal(random);
+      const Eigen::Vector3d way(x, y, z);
       push = {t, 0.1 + 0.2 * uniform(random), uniform(random), kHardestPush * uniform(random) * way.normalized()};
       next_push = t + 2 + 4 * uniform(random);
     }

@@ -93,8 +93,8 @@ Scenario draw(const ArmModel<7>& model, std::uint64_t seed) {
       goal[joint] = s.start[joint] + (upper ? 1 : -1) * (room + 0.1 + 0.2 * uniform(random));
       fits = true;
     }
-    const Eigen::Vector3d com(0.1 * uniform(random) - 0.05, 0.1 * uniform(random) - 0.05, 0.12 * uniform(random));
-    s.payload = box(0.5 + 2.5 * uniform(random), com, {0.08, 0.08, 0.1});
+    const double z = 0.12 * uniform(random), y = 0.1 * uniform(random) - 0.05, x = 0.1 * uniform(random) - 0.05;
+    s.payload = box(0.5 + 2.5 * uniform(random), {x, y, z}, {0.08, 0.08, 0.1});
     for (const Vector& q : {s.start, goal}) {
       const Vector hold = model.dynamics(q, Vector::Zero(), s.payload).gravity;
       fits = fits && hold.cwiseAbs().cwiseQuotient(model.tau_max).maxCoeff() < 0.7;

@@ -109,7 +109,10 @@ Scenario draw(const ArmModel<7>& model, std::uint64_t seed, double margin, bool 
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform;
   std::normal_distribution<double> normal;
-  const auto direction = [&] { return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized(); };
+  const auto direction = [&] {
+    const double z = normal(random), y = normal(random), x = normal(random);
+    return Eigen::Vector3d(x, y, z).normalized();
+  };
   const auto pose = [&] {
     Vector q;
     for (int j = 0; j < 7; ++j) {
@@ -121,11 +124,12 @@ Scenario draw(const ArmModel<7>& model, std::uint64_t seed, double margin, bool 
   s.seed = seed;
   for (bool fits = false; !fits;) {
     s.start = pose();
-    s.push.force = (overload ? 60 + 60 * uniform(random) : 60 * uniform(random)) * direction();
+    const Eigen::Vector3d way = direction();
+    s.push.force = (overload ? 60 + 60 * uniform(random) : 60 * uniform(random)) * way;
     s.payload = {};
     if (uniform(random) < 0.7) {
-      const Eigen::Vector3d com(0.1 * uniform(random) - 0.05, 0.1 * uniform(random) - 0.05, 0.12 * uniform(random));
-      s.payload = box(0.2 + 1.8 * uniform(random), com, {0.08, 0.08, 0.1});
+      const double z = 0.12 * uniform(random), y = 0.1 * uniform(random) - 0.05, x = 0.1 * uniform(random) - 0.05;
+      s.payload = box(0.2 + 1.8 * uniform(random), {x, y, z}, {0.08, 0.08, 0.1});
     }
     const double load = static_load(model, s.start, s.payload, s.push.force);
     fits = overload ? load > 1 && load < 2 && static_load(model, s.start, s.payload, {0, 0, 0}) < 0.6 : load < 0.6;

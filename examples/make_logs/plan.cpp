@@ -36,7 +36,8 @@ RigidBody draw_payload(Dice& dice, double least, double most) {
   const double x = dice.uniform(-0.08, 0.08), y = dice.uniform(-0.08, 0.08), z = dice.uniform(0, 0.2);
   const Eigen::Vector3d size = dice.uniforms(0.04, 0.1);
   RigidBody body = box(mass, {x, y, z}, {size[0], size[1], 1.4 * size[2]});
-  const Eigen::Matrix3d R = Eigen::AngleAxisd(dice.uniform(0, kPi), dice.direction()).toRotationMatrix();
+  const Eigen::Vector3d axis = dice.direction();
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(dice.uniform(0, kPi), axis).toRotationMatrix();
   body.inertia = R * body.inertia * R.transpose();
   return body;
 }
@@ -84,7 +85,9 @@ void hand_over(Plan& plan, Dice& dice) {
   const RigidBody a = draw_payload(dice, 0.2, 1.5), b = draw_payload(dice, 0.2, 0.5);
   double t = dice.tick(1.4, 1.7);
   const auto push = [&](double from, double to) {
-    plan.pushes.push_back({dice.tick(from, to), dice.tick(0.3, 1), dice.uniform(5, 15) * dice.direction()});
+    const double begin = dice.tick(from, to), duration = dice.tick(0.3, 1);
+    const Eigen::Vector3d direction = dice.direction();
+    plan.pushes.push_back({begin, duration, dice.uniform(5, 15) * direction});
   };
   if (dice.uniform(0, 1) < 0.5) push(0.2, 0.3);
   for (int k = 0; k < 4; ++k) {

@@ -90,7 +90,8 @@ class Event {
     const double mass = uniform(0.2, 2.0);
     const double angle = uniform(0, 2 * 3.141592653589793), radius = 0.08 * std::sqrt(uniform(0, 1));
     const Eigen::Vector3d com(radius * std::cos(angle), radius * std::sin(angle), uniform(0, 0.2));
-    return box(mass, com, Eigen::Vector3d(uniform(0.03, 0.1), uniform(0.03, 0.1), uniform(0.03, 0.15)));
+    const double height = uniform(0.03, 0.15), width = uniform(0.03, 0.1), length = uniform(0.03, 0.1);
+    return box(mass, com, Eigen::Vector3d(length, width, height));
   }
 
   PoseImpedanceConfig gains() {

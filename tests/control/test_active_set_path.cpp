@@ -117,7 +117,7 @@ TEST_CASE("ActiveSetSolver: rounding far from where it began is no violation", "
     CAPTURE(k);
     Solver2 solver;
     Solver2::Rows rows;
-    const Vector2 a(uniform(random), -uniform(random));
+    const Vector2 a{uniform(random), -uniform(random)};
     REQUIRE(rows.add(Vector2(1, 0), 1000 * uniform(random)) == rme::Status::Ok);
     for (int copy = 0; copy < 6; ++copy) REQUIRE(rows.add(uniform(random) * a, -rows.kFree, 0) == rme::Status::Ok);
     REQUIRE(solver.solve(kIdentity, Vector2::Zero(), rows, -kFar, kFar) == rme::Status::Ok);
@@ -318,10 +318,10 @@ TEMPLATE_TEST_CASE("ActiveSetSolver: with every row and side active the box hold
     typename Solver::Rows rows;
     const TestType weight = std::pow(TestType(10), 8 * uniform(random) - 2);
     const Vector a(1, 1 + normal(random) / 10);
-    const Vector b = a + std::pow(TestType(10), -1 - 2 * uniform(random)) * Vector(normal(random), normal(random));
+    const Vector b = a + std::pow(TestType(10), -1 - 2 * uniform(random)) * Vector{normal(random), normal(random)};
     REQUIRE(rows.add(a, 5 + uniform(random), rows.kFree, weight) == rme::Status::Ok);
     REQUIRE(rows.add(b, 5 + uniform(random), rows.kFree, 2 * weight) == rme::Status::Ok);
-    const Vector box(1 + uniform(random), 1 + uniform(random));
+    const Vector box{1 + uniform(random), 1 + uniform(random)};
     typename Solver::Matrix P;
     const TestType shear = uniform(random) / 3;
     P << 1 + uniform(random), shear, shear, 1 + uniform(random);

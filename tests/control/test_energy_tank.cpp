@@ -48,7 +48,7 @@ TEMPLATE_TEST_CASE("EnergyTank: no sequence of torques and motions gets more out
       REQUIRE(static_cast<double>(tank.energy()) >= -rounding);
       REQUIRE(static_cast<double>(tank.energy()) <= 10 + rounding);
       // The arm goes anywhere, though not so fast that more than the reserve is drawn in a tick.
-      rme::JointVector<Scalar, 2> way(normal(random), normal(random));
+      rme::JointVector<Scalar, 2> way{normal(random), normal(random)};
       if (tick % 3 != 0 && torque.dot(way) < 0) way = -way;
       q += Scalar(std::min(0.1, 1.9 / static_cast<double>(way.norm() * torque.norm()))) * way;
       // From any time on: at most what was in the tank then. Forgetting what overflows makes `drawn` the loss since

@@ -25,7 +25,7 @@ Vector3 downhill(const System& system, const Vector3& x) {
 
 Vector3 random_point(std::mt19937& random, double scale) {
   std::normal_distribution<double> normal;
-  return scale * Vector3(normal(random), normal(random), normal(random));
+  return scale * Vector3{normal(random), normal(random), normal(random)};
 }
 
 TEST_CASE("LinearAttractor: linear near the target, at most max_speed far from it", "[flow]") {

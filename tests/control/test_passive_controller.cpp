@@ -31,8 +31,8 @@ TEST_CASE("damping_matrix: is smooth through f = 0 from every side and always po
   std::normal_distribution<double> normal;
   for (int i = 0; i < 500; ++i) {
     const double size = std::pow(10.0, -6 + (i % 7));
-    const Vector3 f = size * Vector3(normal(random), normal(random), normal(random));
-    const Vector3 step = 1e-6 * Vector3(normal(random), normal(random), normal(random));
+    const Vector3 f = size * Vector3{normal(random), normal(random), normal(random)};
+    const Vector3 step = 1e-6 * Vector3{normal(random), normal(random), normal(random)};
     const Eigen::Matrix3d D = rme::damping_matrix<double>(f, damping);
     REQUIRE((rme::damping_matrix<double>(f + step, damping) - D).norm() < 2 * 90 / 0.01 * step.norm());
     const oracle::Vector eigenvalues = oracle::eigenvalues(D);
@@ -72,7 +72,7 @@ TEST_CASE("PassiveController: force times velocity is what the potential gives, 
   std::normal_distribution<double> normal;
   rme::PassiveController<double> controller;
   for (int i = 0; i < 200; ++i) {
-    const auto any = [&] { return Vector3(normal(random), normal(random), normal(random)); };
+    const auto any = [&] { return Vector3{normal(random), normal(random), normal(random)}; };
     rme::Flow<double> position, orientation;
     position.conservative = std::pow(10.0, -(i % 8)) * any();
     position.velocity = position.conservative + (i % 2 ? Vector3::Zero().eval() : any());

@@ -57,7 +57,7 @@ TEST_CASE("PayloadUncertainty: of payloads drawn from the belief, each joint lea
     const Eigen::Matrix4d root = Eigen::Matrix4d(belief.covariance.llt().matrixL());
     for (int k = 0; k < 2000; ++k) {
       const Eigen::Vector4d theta =
-          belief.mean + root * Eigen::Vector4d(normal(random), normal(random), normal(random), normal(random));
+          belief.mean + root * Eigen::Vector4d{normal(random), normal(random), normal(random), normal(random)};
       const Vector7 off =
           pose.inverse_mass * (pose.torque(rme::Payload<double>::from_vector(theta)) - uncertainty.torque());
       for (int j = 1; j < 7; ++j, ++all)  // joint 0 of an upright arm turns about gravity

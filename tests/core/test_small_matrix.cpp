@@ -94,7 +94,7 @@ TEST_CASE("is_rotation: a rotation is one, to a thousandth, and its mirror, a st
   std::mt19937_64 random(kSeed);
   std::normal_distribution<double> normal;
   for (int i = 0; i < 50; ++i) {
-    const Eigen::Quaterniond q(normal(random), normal(random), normal(random), normal(random));
+    const Eigen::Quaterniond q{normal(random), normal(random), normal(random), normal(random)};
     const Matrix3<double> R = q.normalized().toRotationMatrix();
     CHECK(detail::is_rotation(R));
     CHECK(detail::is_rotation<double>(R * 1.0004));

@@ -24,7 +24,7 @@ struct Recording {
       rme::Proprioception<double, 7> tick;
       tick.jacobian = tick.jacobian.NullaryExpr([&] { return normal(random); });
       tick.tau_ext = tick.tau_ext.NullaryExpr([&] { return torque * normal(random); });
-      tick.rotation = Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+      tick.rotation = Eigen::Quaterniond{normal(random), normal(random), normal(random), normal(random)}
                           .normalized()
                           .toRotationMatrix();
       ticks.push_back(tick);

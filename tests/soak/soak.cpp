@@ -115,6 +115,11 @@ class Soak {
 
  private:
   double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
+  /// In a cube of twice this size.
+  Eigen::Vector3d anywhere(double size) {
+    const double z = uniform(-size, size), y = uniform(-size, size), x = uniform(-size, size);
+    return {x, y, z};
+  }
   /// Until the next thing happens: half of the time less than a second.
   double pause() { return uniform(0, 1) < 0.5 ? uniform(0, 1) : uniform(1, 4); }
 
@@ -167,8 +172,8 @@ class Soak {
   void push() {
     ++counts.happened[kPush];
     const double before = truth_.mass;
-    const Eigen::Vector3d force(uniform(-15, 15), uniform(-15, 15), uniform(-15, 15));
-    arm_.push({force, Eigen::Vector3d(uniform(-1.5, 1.5), uniform(-1.5, 1.5), uniform(-1.5, 1.5))});
+    const Eigen::Vector3d force = anywhere(15);
+    arm_.push({force, anywhere(1.5)});
     double carried = 0, longest = 0;
     for (double t = uniform(0.2, 2.5); t > 0; t -= 0.01) {
       cause_ = kPush;

@@ -326,10 +326,13 @@ Push push_arm(const Options& options, Kind kind, std::size_t run) {
   RandomHost random(options.seed + 1, run);
   const Draw draw = random.draw(kind, std::nullopt, false);
   Bench host(options, kind, draw, Swing(random));
-  Eigen::Vector3d force = random.uniform(5, 30) * random.direction(), at = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d direction = random.direction();
+  Eigen::Vector3d force = random.uniform(5, 30) * direction, at = Eigen::Vector3d::Zero();
   if (run % 2 == 1) {  // nearly what a payload does
-    force = Eigen::Vector3d(random.normal(0, 1), random.normal(0, 1), -6 - 2 * std::abs(random.normal(0, 1)));
-    at = Eigen::Vector3d(random.normal(0, 0.05), random.normal(0, 0.05), random.normal(0.1, 0.03));
+    const double down = 6 + 2 * std::abs(random.normal(0, 1)), left = random.normal(0, 1), ahead = random.normal(0, 1);
+    force = Eigen::Vector3d(ahead, left, -down);
+    const double z = random.normal(0.1, 0.03), y = random.normal(0, 0.05), x = random.normal(0, 0.05);
+    at = Eigen::Vector3d(x, y, z);
   }
   const double duration = random.uniform(0.3, 2);
   constexpr double kRamp = 0.05;  // at both ends [s]

@@ -38,7 +38,10 @@ class RandomHost {
 
   double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
   double normal(double mean, double deviation) { return mean + deviation * standard_(random_); }
-  Eigen::Vector3d direction() { return Eigen::Vector3d(normal(0, 1), normal(0, 1), normal(0, 1)).normalized(); }
+  Eigen::Vector3d direction() {
+    const double z = normal(0, 1), y = normal(0, 1), x = normal(0, 1);
+    return Eigen::Vector3d(x, y, z).normalized();
+  }
 
   /// @param prior         of the payload, masses below 50 g and above 3 kg left out; without one, it is even: 0.2 to
   ///                      2 kg, centre of mass within 8 cm across the flange's axis and 0 to 20 cm along it
