@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the benchmarks into build-benchmarks/, runs them and writes docs/performance.md. Measuring takes a few minutes; leave the machine alone
-# meanwhile.
+# Builds the benchmarks into build-benchmarks/, runs them and writes docs/performance.md. Measuring takes a few minutes;
+# leave the machine alone meanwhile.
 # shellcheck source=cmake/setup.sh
 source "$(dirname "$0")/../../cmake/setup.sh"
 
