@@ -1,5 +1,5 @@
-// 00_hello: 1.1 kg come into the hand of a resting arm. Which mass and centre of mass does rme estimate, and how sure
-// is it? A simulated Panda stands in for your robot; the five lines in the middle belong into your control loop.
+// 00_hello: the hand of a resting arm is given 1.1 kg. Which mass and centre of mass does rme estimate, and how certain
+// are they? A simulated Panda stands in for your robot; the block in the middle belongs in your control loop.
 #include <cstdio>
 #include <rme/estimator.hpp>
 #include <synthetic_arm/panda.hpp>
@@ -11,7 +11,7 @@ int main() {
   SyntheticArmConfig<7> faults = with_typical_faults(panda(), 1);  // noise and offsets of torque sensors
   faults.friction = {};                                            // that sit behind the gears
   SyntheticArm<7> arm(panda(), faults, panda().ready);
-  const PoseImpedance<7> controller(panda(), panda().ready);  // knows nothing of payloads
+  const PoseImpedance<7> controller(panda(), panda().ready);  // its model has no payload
   rme::Estimator<double, 7> estimator(0.001);                 // period [s]
 
   std::printf("time [s]     mass [kg]     centre of mass x, y, z [mm]\n");

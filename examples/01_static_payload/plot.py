@@ -3,8 +3,8 @@
 
     python3 plot.py DIR [PICTURE]
 
-Above, how far the flange strayed with and without compensation; in the middle, the mass that is believed; below, the norm
-of the external torque, and when the likeliest hypothesis was a change.
+Top: the position error of the flange with and without compensation. Middle: the estimated mass. Bottom: the norm of the
+external torque. Shaded: the times when the likeliest hypothesis was a change.
 """
 import pathlib
 import sys
@@ -23,7 +23,7 @@ def norm(run, names):
 
 
 def changes(run):
-    """(begin, end) of each time that a change was likeliest [s]."""
+    """(begin, end) of each interval in which a change was the likeliest hypothesis [s]."""
     changing = ~np.isin(run["hypothesis"], SETTLED)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], changing, [False]]).astype(int)))
     t = np.append(run["t"], run["t"][-1])

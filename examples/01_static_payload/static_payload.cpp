@@ -1,9 +1,9 @@
-// 01_static_payload: an arm holds a pose, and after one second an unknown payload hangs on its flange. How far does the
-// arm sag, and what does rme estimate?
+// 01_static_payload: an arm holds a pose; after one second an unknown payload is attached to its flange. How far does
+// the arm sag, and what does rme estimate?
 //
 // A simulated Panda holds its ready pose under a passive impedance law whose model does not include the payload. The
-// same four seconds run twice: with rme's compensation added to the torque, and without. Prints the estimate beside the
-// truth and the position errors of the flange; with --output DIR both runs are written as CSV (plot.py draws them).
+// same four seconds run twice: with rme's compensation added to the torque, and without. Prints the estimate, the true
+// payload and the position errors of the flange; with --output DIR writes both runs as CSV (plot.py draws them).
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -29,9 +29,9 @@ using Torque = rme::JointVector<double, 7>;
 constexpr double kPeriod = 1e-3;   // of the control loop [s]
 constexpr double kAttach = 1;      // when the payload appears [s]
 constexpr double kEnd = 4;         // [s]
-constexpr double kLater = 2;       // when the result is judged, after the payload appeared [s]
-constexpr double kMaxMass = 3;     // what a Panda may carry [kg]
-constexpr double kMaxReach = 0.5;  // largest lever of the payload [m]
+constexpr double kLater = 2;       // time from the payload's appearance to the comparison of the errors [s]
+constexpr double kMaxMass = 3;     // rated payload of a Panda [kg]
+constexpr double kMaxReach = 0.5;  // largest coordinate of the payload's centre of mass [m]
 
 constexpr const char* kUsage =
     R"(usage: rme_01_static_payload [options]
@@ -86,14 +86,14 @@ struct Row {
   double t;
   Torque q, dq, tau_ext, compensation;
   Eigen::Vector3d error;        // flange from its target [m]
-  double mass, mass_deviation;  // believed [kg]
-  rme::Hypothesis likeliest;    // of what is going on
+  double mass, mass_deviation;  // estimate and its standard deviation [kg]
+  rme::Hypothesis likeliest;
 };
 
 struct Run {
   std::vector<Row> rows;
-  rme::EstimatorState<double> first, over, last;  // first belief in a payload, when its coming was over, at the end
-  double mean_time = 0, longest_time = 0;         // of a tick of the estimator [s]
+  rme::EstimatorState<double> first, over, last;  // payload first estimated; its event over; end of the run
+  double mean_time = 0, longest_time = 0;         // of the estimator's update() [s]
 
   double error_at(double t) const { return rows[static_cast<std::size_t>(std::lround(t / kPeriod))].error.norm(); }
   double worst_error() const {
@@ -121,7 +121,7 @@ Run simulate(const Options& options, bool compensate) {
     if (!attached && arm.time() > kAttach - kPeriod / 2) attached = arm.attach(options.payload) > 0;
     const auto& [position, rotation, jacobian] = arm.kinematics();
 
-    // What a host adds to its own loop: the arm's report goes in, the torque that carries the payload comes out.
+    // What a host adds to its own loop. In: what the arm reports. Out: the torque that carries the payload.
     const auto start = Clock::now();
     const rme::Status status = estimator.update({arm.tau_ext(), jacobian, rotation, arm.dq()});
     const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
@@ -145,7 +145,7 @@ Run simulate(const Options& options, bool compensate) {
   return run;
 }
 
-// Readable as a log: t, q, dq, tau_ext, and the truth m, rx, ry, rz.
+// The file has the columns of a log (docs/conventions.md), with the truth m, rx, ry, rz, and the estimate.
 void write_csv(const std::filesystem::path& path, const Run& run, const RigidBody& payload) {
   std::ofstream file(path);
   file.precision(9);

@@ -1,10 +1,10 @@
 // 02_constrained_interaction: somebody pushes an arm against a wall and up to a joint limit. What does the constrained
 // passive controller (CPIC) do, and what does the same controller do without its constraints?
 //
-// A simulated Panda tracks a linear attractor in front of a wall. A scripted person pushes it into the wall at 1 s,
-// then up at 4 s, where the elbow reaches its limit. The same eight seconds run twice: with CPIC, and with the
-// unconstrained law cut to the torque limits. Prints the distances to wall and limit and the energies; with --output
-// DIR both runs are written as CSV (plot.py draws them).
+// A linear attractor holds a simulated Panda in front of a wall. A scripted person pushes it into the wall at 1 s, then
+// back and down at 4 s, until a joint reaches its limit. The same eight seconds run twice: with CPIC, and with the
+// unconstrained passive controller, clamped to the torque limits. Prints the distances to wall and limit and the
+// energies; with --output DIR writes both runs as CSV (plot.py draws them).
 #include <cmath>
 #include <cpic_host/energy_books.hpp>
 #include <cpic_host/host.hpp>
@@ -24,7 +24,7 @@ using Vector = Host::Vector;
 
 constexpr double kPeriod = 1e-3;  // [s]
 constexpr double kEnd = 8;        // [s]
-constexpr double kRoom = 0.1;     // from the flange's start to the wall [m]
+constexpr double kRoom = 0.1;     // distance of the flange to the wall at the start [m]
 
 constexpr const char* kUsage =
     R"(usage: rme_02_constrained_interaction [options]
@@ -39,8 +39,8 @@ Exit codes: 0 CPIC kept wall and joint limits; 1 it did not; 2 unusable argument
 )";
 
 struct Result {
-  double wall = 1;      // least distance of the flange to the wall [m]; negative: in it
-  double limit = 10;    // least distance of a joint to its limit [rad]; negative: beyond
+  double wall = 1;      // least distance of the flange to the wall [m]; negative: inside the wall
+  double limit = 10;    // least distance of a joint to its limit [rad]; negative: beyond the limit
   double torque = 0;    // largest share of a torque limit
   double stored = 0;    // most energy stored [J]
   double residual = 0;  // largest rise of stored minus supplied energy [J]
@@ -59,7 +59,7 @@ Result run(bool constrained, double force, std::ofstream* csv) {
   const Push back{4, 0.2, 1.6, -force * Eigen::Vector3d(1, 0, 1).normalized()};
 
   SyntheticArm<7> arm(model, {}, start);
-  Host host(model, config);  // may throw: before the loop, never inside it
+  Host host(model, config);  // may throw; nothing in the loop does
   EnergyBooks books(kPeriod);
   Result result;
   double lowest = 0;
@@ -72,7 +72,7 @@ Result run(bool constrained, double force, std::ofstream* csv) {
     const double t = k * kPeriod;
     const Eigen::Vector3d push = forward.at(t) + back.at(t);
     arm.push({push, Eigen::Vector3d::Zero()});
-    const Vector torque = host.update(arm, Vector::Zero());  // what a torque callback would hold
+    const Vector torque = host.update(arm, Vector::Zero());  // what a robot's torque callback would call
     books.update(arm, host, push);
 
     const double h_wall = wall.normal.dot(arm.kinematics().position) - wall.offset;

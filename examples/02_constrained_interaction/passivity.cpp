@@ -4,14 +4,15 @@
 // attached and dropped in mid-motion, unannounced, and somebody pushes. The compensation comes from
 //
 //   nobody     no compensation
-//   tracker    rme::Estimator, which is told of nothing; also with an energy tank
-//   liar       an estimate of 3 kg whenever the hand rises and of nothing when it sinks, though it is empty: the worst
-//              that an estimator can do; also with an energy tank
+//   tracker    rme::Estimator, without any hint from the host; also with an energy tank
+//   liar       the empty hand is said to hold 3 kg whenever it rises, and nothing when it sinks: the worst possible
+//              estimator; also with an energy tank
 //
-// Energies (energy_books.hpp): stored is the kinetic energy plus lambda_1 V; supplied is the work of the push, of the
-// wrench error (payload minus compensation), of the cycle's turning, and of what CPIC adds for posture and constraints.
-// Passive means that stored minus supplied never rises. They are summed in float as well; with --hours over a working
-// day. The energy that the passive torque puts in because it is held for a tick is shown apart, and so is the rest.
+// Energies (energy_books.hpp): stored is the kinetic energy plus lambda_1 V. Supplied is the work of the push, of the
+// wrench error (payload minus compensation), of the cycle's turning, and of the torques that CPIC adds for posture and
+// constraints. Passive means that stored minus supplied energy never rises. The balance is also kept in float, and with
+// --hours over a working day. The energy that the passive torque puts in because it is held for a tick is printed
+// separately, and so is the remaining error of the balance.
 #include <array>
 #include <cmath>
 #include <cpic_host/energy_books.hpp>
@@ -29,14 +30,14 @@ using namespace rme::examples;
 using Vector = Host::Vector;
 
 constexpr double kEnd = 20;                           // of a scenario [s]
-constexpr double kShare = 1e-3;                       // of the energy turned over, by which books may be wrong
+constexpr double kShare = 1e-3;                       // allowed error of the balance, as a share of energy turned over
 constexpr double kTurn = 2 * 3.14159265358979323846;  // [rad]
-constexpr double kRounds = 0.5;                       // of those that the cycle asks for: fewer is an arm that is stuck
-constexpr double kLie = 3;                            // [kg]
-constexpr double kRefill = 5;          // into the tank of the long run [W]: objects are taken here and left there
+constexpr double kRounds = 0.5;                       // least share of the cycle's rounds: with fewer, the arm is stuck
+constexpr double kLie = 3;                            // mass that the liar says [kg]
+constexpr double kRefill = 5;          // of the long run's tank [W]: objects may be left higher than they were taken
 constexpr double kLargestMass = 2.5;   // of an object [kg]
 constexpr double kHardestPush = 30;    // [N]
-constexpr double kMostOfTorque = 0.7;  // of the limits, to hold the heaviest object in the first pose
+constexpr double kMostOfTorque = 0.7;  // share of the torque limits that holds the heaviest object in the first pose
 
 constexpr const char* kUsage =
     R"(usage: rme_02_passivity [options]
@@ -58,25 +59,25 @@ enum class Source { Nobody, Tracker, TrackerAndTank, Liar, LiarAndTank };
 constexpr const char* kNames[] = {"nobody", "tracker", "tracker, with a tank", "liar", "liar, with a tank"};
 
 struct Outcome {
-  double turned_over = 0;   // sum of the work supplied in each tick, without its sign [J]
+  double turned_over = 0;   // sum of |work supplied| over all ticks [J]
   double dissipated = 0;    // [J]
-  double rise = 0;          // largest of stored minus supplied energy [J]
-  double share = 0;         // the same over what the scenario turned over
-  double held = 0;          // put in by holding the passive torque, over what was turned over
-  double imbalance = 0;     // largest error of the books, over what was turned over; without friction
-  double stored = 0;        // most [J]
-  double put_in = 0;        // most that the compensation put in since an empty hand [J]
-  double by_holding = 0;    // most of that which came from holding it for a tick, without its sign [J]
-  double span = 0;          // most that it put in from any tick on, less what flowed into the tank meanwhile [J]
-  double beyond = -1e9;     // of both over the tank's bounds [J]
-  double let_through = 1;   // least share that the tank let through
-  double in_float = 0;      // difference of the books in float, over what was turned over
-  std::uint64_t worst = 0;  // the scenario with the largest rise: its seed
+  double rise = 0;          // largest rise of stored minus supplied energy [J]
+  double share = 0;         // `rise` divided by `turned_over`
+  double held = 0;          // energy put in by holding the passive torque, divided by `turned_over`
+  double imbalance = 0;     // largest error of the balance, divided by `turned_over`; on arms without faults
+  double stored = 0;        // largest stored energy [J]
+  double put_in = 0;        // most that the compensation put in since the hand was empty [J]
+  double by_holding = 0;    // largest part of it, in absolute value, that came from holding it for a tick [J]
+  double span = 0;          // most that it put in from any tick on, minus the refill of the tank since then [J]
+  double beyond = -1e9;     // largest excess of `put_in` and `span` over the tank's bounds [J]
+  double let_through = 1;   // least share of the tank
+  double in_float = 0;      // largest difference of the balance in float, divided by `turned_over`
+  std::uint64_t worst = 0;  // seed of the scenario with the largest rise
   double rounds = 0;        // of the hand about the cycle's centre
   long ticks = 0;
-  long limited = 0;  // of those, with a joint held at a limit
-  long exchanges = 0;
-  long refused = 0;  // ticks with another status than Ok or Infeasible
+  long limited = 0;    // ticks with an active row or torque limit
+  long exchanges = 0;  // objects attached or dropped
+  long refused = 0;    // ticks with another status than Ok or Infeasible
 
   void merge(const Outcome& o) {
     turned_over += o.turned_over;
@@ -107,10 +108,10 @@ struct Scenario {
   double end = kEnd;     // [s]
   bool faults = false;   // an arm with friction and faulty sensors
   double refill = 0;     // of the tank [W]
-  bool ready = false;    // starts in the arm's usual pose, well inside its limits, not in one drawn
+  bool ready = false;    // starts in the arm's usual pose, well inside its limits, instead of a random one
 };
 
-/// A pose in which the heaviest object can be held.
+/// A random pose in which the heaviest object can be held.
 Vector draw_pose(const ArmModel<7>& model, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform;
   const RigidBody heaviest = box(kLargestMass, {0, 0, 0.1}, {0.08, 0.08, 0.1});
@@ -123,7 +124,7 @@ Vector draw_pose(const ArmModel<7>& model, std::mt19937_64& random) {
   return pose;
 }
 
-/// A cycle through this pose.
+/// A host with a random limit cycle through this pose.
 HostConfig draw_host(const ArmModel<7>& model, const Vector& start, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform;
   HostConfig host = HostConfig::hold(model, start);
@@ -217,7 +218,7 @@ Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, const Scenario& s
     out.held = std::max(out.held, std::abs(books.held()));
     if (!faults) out.imbalance = std::max(out.imbalance, std::abs(books.imbalance()));
 
-    // What the tank promises is of the torque as it is commanded.
+    // The tank's bound is one on the torque that is commanded.
     by_power += arm.dq().dot(host.compensation()) * period;
     potential = std::max(potential, std::abs(rme::compensation_potential<double>(
                                         belief.payload(), at.position - config.target, at.rotation)));
@@ -230,7 +231,7 @@ Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, const Scenario& s
     out.put_in = std::max(out.put_in, put_in);
     out.span = std::max(out.span, span);
     if (config.tank) {
-      // Since an empty hand; and from any tick on, when U could be what it owes.
+      // Counted since the hand was empty, and from any tick on: there, the work may already owe max |U|.
       out.beyond = std::max(out.beyond, put_in - refill * (t + period) - (config.tank->initial + potential));
       out.beyond = std::max(out.beyond, span - (config.tank->capacity + 2 * potential));
     }
@@ -244,14 +245,14 @@ Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, const Scenario& s
   return out;
 }
 
-/// Every other scenario.
+/// Whether the arm has faults: in every other scenario.
 bool faulty(std::uint64_t seed) {
   return seed % 2 == 0;
 }
 
-/// The scenarios with the largest rises at shorter periods: what a torque puts in because it is held goes with the
-/// period.
-/// @return whether it did, and the books are without error at each: what they forget would stay
+/// Runs the scenarios with the largest rises at shorter periods. The energy that a torque puts in because it is held
+/// is proportional to the period; energy that the balance has left out would not be.
+/// @return whether it fell with the period, and the balance has no error at any period
 bool print_by_period(const ArmModel<7>& model, const std::array<Outcome, 5>& outcomes, std::uint64_t seed, int count) {
   const std::uint64_t worst[] = {outcomes[static_cast<std::size_t>(Source::Tracker)].worst,
                                  outcomes[static_cast<std::size_t>(Source::Liar)].worst};

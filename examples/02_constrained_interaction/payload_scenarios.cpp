@@ -1,16 +1,17 @@
-// rme_02_payload_scenarios: an object is attached to or dropped from an arm that moves next to a joint limit or a wall.
-// Do the constraints hold while nobody knows yet what it weighs?
+// rme_02_payload_scenarios: an object is attached to, or dropped by, an arm that moves next to a joint limit or a wall.
+// Do the constraints hold while the object's mass is not yet known?
 //
 // Random poses of a simulated Panda with one joint 5 to 50 mrad from a limit, or the flange 5 to 50 mm from a wall, and
-// a target beyond it; 0.5 to 3 kg come at once in mid-motion and go at once later. The estimator is in the loop and its
-// estimate is compensated. Each scenario runs with the rows of four hosts:
+// a target beyond it. An object of 0.5 to 3 kg is attached in mid-motion and dropped later, both in a single tick. The
+// estimator is in the loop, and its compensation is added. Each scenario runs with the rows of four hosts:
 //
-//   published       continuous time, nominal dynamics, compensation added after CPIC and thought to be right
-//   observer        the same with what a fast observer sees
-//   sampled         for sampled time, tightened by the error of the prediction as it was just seen
-//   payload-aware   these, tightened by the estimator's posterior (payload_uncertainty.hpp) as well
+//   published       continuous time, nominal dynamics; the compensation is added after CPIC and taken to be right
+//   observer        the same, with the external torque of a fast observer in the bias
+//   sampled         the observer's, for sampled time, tightened by the prediction error seen just before
+//   payload-aware   the sampled rows, also tightened by the estimator's posterior (payload_uncertainty.hpp)
 //
-// Exit code 0 if the payload-aware rows were crossed by more than 1 mrad or 1 mm in no scenario.
+// Exit code 0 if the payload-aware rows were crossed by more than 1 mrad or 1 mm in no scenario, and the torque limits
+// held.
 #include <cmath>
 #include <cpic_host/host.hpp>
 #include <cstdio>
@@ -50,11 +51,11 @@ struct Scenario {
 
 struct Outcome {
   int crossings = 0;     // scenarios beyond 1 mrad or 1 mm
-  double joint = 0;      // furthest beyond a joint limit [rad]
-  double wall = 0;       // furthest beyond the wall [m]
-  double short_of = 0;   // sum over scenarios of the nearest that the arm came to its limit or wall [rad or m]
-  long infeasible = 0;   // ticks
-  double excess = -1e9;  // of the torque over its limits [N m]
+  double joint = 0;      // largest distance beyond a joint limit [rad]
+  double wall = 0;       // largest distance beyond the wall [m]
+  double short_of = 0;   // sum over scenarios of the least distance to a limit or the wall [rad or m]
+  long infeasible = 0;   // ticks with the status Infeasible
+  double excess = -1e9;  // largest |tau| - limit [N m]
 
   void merge(const Outcome& o) {
     crossings += o.crossings;

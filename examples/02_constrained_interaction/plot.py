@@ -3,8 +3,8 @@
 
     python3 plot.py DIR [PICTURE]
 
-From above: distance to the wall, distance to the nearest joint limit, torque of the joint that is busiest, stored energy.
-The two pushes are shaded.
+From top to bottom: distance to the wall, distance to the nearest joint limit, torque of the joint whose torque varies
+most, stored energy. The two pushes are shaded.
 """
 import pathlib
 import sys

@@ -1,9 +1,9 @@
 // rme_02_scenarios: does the constrained controller keep its limits in random situations?
 //
-// Random start poses, targets, walls, payloads up to 2 kg and pushes up to 60 N on a simulated Panda, five seconds
-// each, seeded; half of the arms have friction and faulty sensors, half of the payloads are compensated (with 10 %
-// error). Prints how far joint limits were crossed, whether the torque limits held, what became of pushes that no
-// admissible torque can hold, and the energies. Exit code 0 if every limit was kept.
+// Seeded random scenarios of five seconds on a simulated Panda: start poses, targets, walls, payloads of up to 2 kg and
+// pushes of up to 60 N. Half of the arms have friction and faulty sensors; half of the payloads are compensated, with a
+// mass error of up to 10 %. Prints how far joint limits were crossed, whether the torque limits held, what happened
+// under pushes that no admissible torque can hold, and the energies. Exit code 0 if every promise was kept.
 #include <cmath>
 #include <cpic_host/energy_books.hpp>
 #include <cpic_host/host.hpp>
@@ -20,9 +20,9 @@ using namespace rme::examples;
 using Vector = Host::Vector;
 
 constexpr double kEnd = 5;         // of a scenario [s]
-constexpr double kAttach = 1;      // when the payload comes [s]
-constexpr double kHandOver = 0.2;  // how long it takes to weigh in, on arms with faults [s]
-constexpr double kRecovery = 1.5;  // after the push and the last tick without an admissible torque, limits hold [s]
+constexpr double kAttach = 1;      // when the payload is attached [s]
+constexpr double kHandOver = 0.2;  // time in which its weight rises to the full value, on arms with faults [s]
+constexpr double kRecovery = 1.5;  // time after push and last infeasible tick until limits must hold again [s]
 
 constexpr const char* kUsage =
     R"(usage: rme_02_scenarios [options]
@@ -54,16 +54,16 @@ struct Outcome {
   long ticks = 0;
   double crossed = 0;            // deepest violation of a joint limit [rad]
   int crossings = 0;             // scenarios in which it exceeded 1e-3 rad
-  double short_of = 0;           // sum over ticks at rest at a joint limit of the distance to it [rad]
+  double short_of = 0;           // sum of the distances to the limit, over ticks with a joint at rest at it [rad]
   double shortest = 0;           // largest of these distances [rad]
-  long at_rest = 0;              // how many such ticks
+  long at_rest = 0;              // number of these distances
   double penetrated = 0;         // deepest violation of the wall [m]
   double too_fast = 0;           // worst excess over a joint's speed limit [rad/s]
   double torque_excess = -1e9;   // largest |tau| - limit [N m]
-  double energy_gain = 0;        // largest rise of stored minus supplied energy away from constraints [J]
-  double held = 0;               // largest energy put in by holding the passive torque away from constraints [J]
-  double imbalance = 0;          // largest error of the books there, friction apart [J]
-  double compensation_step = 0;  // in a tick [N m]
+  double energy_gain = 0;        // largest rise of stored minus supplied energy while no constraint is active [J]
+  double held = 0;               // largest energy put in by holding the passive torque in the same ticks [J]
+  double imbalance = 0;          // largest error of the energy balance there, on arms without faults [J]
+  double compensation_step = 0;  // largest change of the compensation in a tick [N m]
   long active = 0;               // ticks with an active constraint
   int infeasible = 0;            // scenarios with a tick in which the hard rows could not all be kept
   long infeasible_ticks = 0;
@@ -104,7 +104,7 @@ double static_load(const ArmModel<7>& model, const Vector& q, const RigidBody& p
   return hold.cwiseAbs().cwiseQuotient(model.tau_max).maxCoeff();
 }
 
-/// @param overload  false: the limits hold the arm in its start pose with 40 % to spare; true: they cannot
+/// @param overload  false: holding the start pose takes at most 60 % of the torque limits; true: more than the limits
 Scenario draw(const ArmModel<7>& model, std::uint64_t seed, double margin, bool sampled, bool overload) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform;
@@ -164,7 +164,7 @@ Outcome run(const ArmModel<7>& model, const Scenario& s, double period) {
 
   Outcome out;
   out.scenarios = 1;
-  double lowest = 0;  // of stored minus supplied energy since the books were opened
+  double lowest = 0;  // least stored minus supplied energy since the balance was started [J]
   double last_excuse = s.push.start + 2 * s.push.rise + s.push.hold;
   Vector compensation = Vector::Zero();
   rme::Payload<double> estimate;
@@ -194,13 +194,13 @@ Outcome run(const ArmModel<7>& model, const Scenario& s, double period) {
     for (int j = 0; j < 7; ++j) {
       if (host.cpic().multiplier(j) == 0 || std::abs(arm.dq()[j]) > 0.01) continue;
       const double distance = std::min(arm.q()[j] - model.q_min[j], model.q_max[j] - arm.q()[j]);
-      if (distance > 0.3) continue;  // a limit of the speed
+      if (distance > 0.3) continue;  // the active limit is that of the velocity
       out.short_of += distance;
       out.shortest = std::max(out.shortest, distance);
       ++out.at_rest;
     }
 
-    // A payload that appears, or is being handed over, brings energy of its own; so do constraints, and rightly.
+    // A payload that is being attached brings energy of its own, and constraints may put in energy: not counted.
     books.update(arm, host, push);
     const bool handing_over = s.payload.mass > 0 && t > kAttach - 2 * period && t < kAttach + kHandOver + period;
     if (handing_over || host.cpic().active_count() > 0) {

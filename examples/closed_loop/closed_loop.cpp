@@ -1,11 +1,11 @@
-// closed_loop: the estimator's compensation moves the arm, and the estimator sees the arm move. How large is the error
-// of the flange's position?
+// closed_loop: the estimator's compensation moves the arm, and this motion is part of the estimator's input. How large
+// is the error of the flange's position?
 //
 // A Panda follows a path under a Cartesian impedance of 200 N/m whose model does not include payloads. An object is
-// hung on its flange at 1 s, carried along and turned from 4 s to 7 s, and dropped at 8 s, all unannounced. Prints the
-// distance of the flange from a run without payload: without compensation, with rme's, and with that of a host that
-// knows the payload and when it comes and goes. Then the same for drops of other payloads, at rest and in the middle of
-// the move.
+// attached to its flange at 1 s, moved and turned from 4 s to 7 s, and dropped at 8 s, all unannounced. Prints the
+// distance of the flange from a run without payload: without compensation, with that of rme, and with that of a host
+// that always knows the payload. Then prints, for rme's compensation, the distances after drops of other payloads, at
+// rest and in the middle of the move.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +29,7 @@ constexpr double kAttach = 1, kMove = 4, kArrive = 7, kDrop = 8, kEnd = 10;  // 
 constexpr double kDropInMotion = (kMove + kArrive) / 2;                      // [s]
 constexpr double kTurn = 40 * kPi / 180;                                     // [rad]
 constexpr double kStiffness = 200;                                           // of the impedance [N/m]
-constexpr double kNear = 0.01;                                               // back where it should be [m]
+constexpr double kNear = 0.01;                                               // the flange is back within this [m]
 
 constexpr const char* kUsage = R"(usage: rme_closed_loop [options]
 
@@ -41,7 +41,7 @@ drop: without compensation, with the estimator's, and with that of somebody who 
   --dq-noise W      white noise on the joint velocity that the host sees [rad/s] (default 0.002)
   --noisy-observer  tau_ext is observed from that velocity too
 )";
-// The options of Setup follow, but for the physics: MuJoCo's where there is one.
+// The options of Setup follow. But here the default of --physics is MuJoCo, if it was found.
 
 #ifdef RME_HAS_MUJOCO
 constexpr bool kHasMujoco = true;
@@ -75,7 +75,7 @@ Options parse(Arguments& arguments) {
   return options;
 }
 
-/// What is drawn for a run: the arm's faults, where the payload's centre is, how the hand turns.
+/// What is random in a run: the arm's faults, the payload's centre of mass, the axis about which the hand turns.
 struct Draw {
   SyntheticArmConfig<7> arm;
   Eigen::Vector3d com;   // flange axes [m]
@@ -96,7 +96,7 @@ Draw draw(const Options& options, std::size_t run) {
   return out;
 }
 
-/// Where the flange is to be: at rest until kMove, 16 cm further and turned from kArrive on.
+/// The desired pose of the flange: at rest until kMove; from kArrive on, at rest 16 cm away and turned by kTurn.
 PoseTarget path(const PoseTarget& home, const Eigen::Vector3d& axis, double t) {
   const double x = std::clamp((t - kMove) / (kArrive - kMove), 0.0, 1.0), rest = x * (1 - x);
   const double share = x * x * x * (10 + x * (6 * x - 15)), rate = 30 * rest * rest / (kArrive - kMove);
@@ -131,11 +131,13 @@ enum class Knowledge { None, Estimated, Perfect };
 
 struct Course {
   std::vector<Eigen::Vector3d> position;  // of the flange at each tick, world axes [m]
-  std::vector<double> mass;               // that the estimator believes in [kg]
+  std::vector<double> mass;               // the estimate [kg]
 };
 
-/// Ten seconds.
-/// @param payload  of no mass for an empty hand
+/// Runs ten seconds.
+/// @param payload    with zero mass for an empty hand
+/// @param drop       when it is dropped [s]
+/// @param knowledge  source of the compensation
 Course run_arm(const Draw& draw, const RigidBody& payload, double drop, Knowledge knowledge) {
   SyntheticArm<7> arm(panda(), draw.arm, panda().ready);
   PoseImpedance<7> law(panda(), panda().ready, impedance());
@@ -160,7 +162,7 @@ Course run_arm(const Draw& draw, const RigidBody& payload, double drop, Knowledg
     course.position.push_back(position);
     course.mass.push_back(compensator.mass());
     law.follow(path(home, draw.axis, arm.time()));
-    // The arm's observer is fed what is commanded here, compensation included.
+    // The input of the arm's observer is this command, compensation included.
     arm.step(law.torque(arm.q(), arm.dq(), arm.kinematics(), arm.dynamics()) + ramp.torque());
   }
   return course;
@@ -175,7 +177,7 @@ double furthest(const Course& course, const Course& empty, double from, double u
   return most;
 }
 
-/// How long after an instant the distance stays below kNear for good [s].
+/// Time from an instant until the distance stays below kNear [s].
 double back_after(const Course& course, const Course& empty, double from) {
   std::size_t k = course.position.size();
   while (k > 0 && (course.position[k - 1] - empty.position[k - 1]).norm() < kNear) --k;
@@ -188,7 +190,7 @@ std::string median_and_worst(std::vector<double> values, double unit, const char
   return text(format, unit * (values[(n - 1) / 2] + values[n / 2]) / 2, unit * values.back());
 }
 
-/// Of each run of one row of the first table.
+/// The distances of all runs, for one row of the first table.
 struct Distances {
   std::vector<double> attach, sagging, moving, dropped;  // [m]
 };
@@ -212,7 +214,7 @@ RigidBody payload_of(const Draw& draw, double mass) {
   return box(mass, draw.com, {0.08, 0.08, 0.1});
 }
 
-/// Nothing in the hand, for each draw.
+/// The run of each draw with an empty hand.
 std::vector<Course> empty_courses(const std::vector<Draw>& draws) {
   std::vector<Course> out;
   for (const Draw& d : draws) {
@@ -222,7 +224,7 @@ std::vector<Course> empty_courses(const std::vector<Draw>& draws) {
   return out;
 }
 
-/// @return how far the estimator's arm strays in the move, as a share of how far it does without
+/// @return worst distance in the move with the estimator's compensation, divided by that without compensation
 double print_table(const Options& options, const std::vector<Draw>& draws, const std::vector<Course>& empty) {
   std::array<Distances, 4> rows;  // without, estimated, known; nothing in the hand, estimated
   for (std::size_t i = 0; i < draws.size(); ++i) {

@@ -1,27 +1,28 @@
 #pragma once
-/// The energy books of a host, which only a simulation can keep exactly.
+/// The energy balance ("books") of a host. Only a simulation can compute it exactly.
 #include <cpic_host/host.hpp>
 #include <rme/control/passivity_monitor.hpp>
 
 namespace rme::examples {
 
-/// Stored against supplied energy, from what only a simulation knows: the payload and the push.
+/// Stored against supplied energy, with what only a simulation knows: the payload and the push.
 ///
 /// Stored is the kinetic energy, payload included, and lambda_1 V. Supplied is the work of the push, of the payload's
-/// weight as far as it is not compensated (the wrench error of [RME, Eq. 35]), of the flow's driven part, and of every
-/// torque that CPIC adds to J^T F_c: null space and constraints. All of it is exact: what is commanded is held for a
-/// tick, in which it does the work torque^T (change of q), and so is a push; weight has a potential.
+/// weight less the compensation (the wrench error of [RME, Eq. 35]), of the part of the flow that is no gradient, and
+/// of every torque that CPIC adds to J^T F_c: null space and constraints. The work of torques and pushes is exact,
+/// since they are held for a tick: a torque does the work torque^T (change of q) (docs/theory_control.md (C18)). Weight
+/// has a potential.
 ///
-/// The passive torque J^T F_c is held too. What it does beyond -lambda_1 dV + injected - dissipated, each of them as of
-/// the moving arm, is kept apart: held(), a first-order effect of the period, and as real as the others
-/// (docs/theory_control.md (C18)).
+/// The passive torque J^T F_c is held too. Its work differs from -lambda_1 dV + injected - dissipated of the moving
+/// arm. held() is the sum of these differences. It is in proportion to the period, and is no error of the balance: the
+/// torque does put this energy into the arm.
 class EnergyBooks {
  public:
   explicit EnergyBooks(double period) : monitor_(period), period_(period) {}
 
-  /// Enters a tick: `host` has just been updated by `arm`, and what it commands is held until the next one. The payload
+  /// Adds a tick: `host` has just been updated with `arm`, and its torque is held until the next tick. The payload
   /// changes at ticks only.
-  /// @param push  held until the next tick as well
+  /// @param push  force on the end-effector origin [N], world axes, held until the next tick as well
   void update(const SyntheticArm<7>& arm, const Host& host, const Eigen::Vector3d& push) noexcept {
     const JointVector<double, 7>&q = arm.q(), &dq = arm.dq();
     const RigidBody payload = arm.payload();
@@ -52,9 +53,9 @@ class EnergyBooks {
              passive.dissipated_power()};
     open_ = true;
   }
-  /// An object came or went between the last update and this one, in full motion. The kinetic energy that it brought or
-  /// took along is not the arm's.
-  /// @param before  what was held until now
+  /// An object came or went between the last update and the next one, while the arm moved. The kinetic energy that it
+  /// brought or took away is not the arm's, and is left out.
+  /// @param before  what the hand held until now
   void exchange(const SyntheticArm<7>& arm, const RigidBody& before) noexcept {
     const JointVector<double, 7>& dq = arm.dq();
     brought_ += kinetic_energy<double, 7>(arm.model().dynamics(arm.q(), dq, arm.payload()).mass_matrix, dq) -
@@ -66,28 +67,28 @@ class EnergyBooks {
     dissipated_ = held_ = brought_ = 0;
   }
 
-  double stored() const noexcept { return monitor_.storage(); }     // less what objects brought along [J]
-  double work() const noexcept { return work_; }                    // supplied in the tick before [J]
+  double stored() const noexcept { return monitor_.storage(); }     // without what objects brought [J]
+  double work() const noexcept { return work_; }                    // supplied between the last two updates [J]
   double supplied() const noexcept { return monitor_.supplied(); }  // [J]
   double dissipated() const noexcept { return dissipated_; }        // by the passive controller's damping [J]
-  double held() const noexcept { return held_; }                    // put in by holding its torque [J]
-  /// Stored minus supplied [J]: never rises for a passive system.
+  double held() const noexcept { return held_; }                    // put in because J^T F_c is held for a tick [J]
+  /// Stored minus supplied, since the start [J]: never rises for a passive system.
   double residual() const noexcept { return monitor_.residual(); }
-  /// What the books cannot account for: stored minus supplied, plus dissipated, less held [J]. Friction's work; without
-  /// friction all of it is the error of the simulation.
+  /// What is missing in the balance: stored minus supplied, plus dissipated, minus held [J]. With friction, this is
+  /// mostly the work of friction; without, it is the error of the simulation.
   double imbalance() const noexcept { return monitor_.residual() + dissipated_ - held_; }
 
  private:
-  /// What held from one tick to the next.
+  /// The quantities of one tick that the next update needs.
   struct Tick {
     JointVector<double, 7> q;
     Eigen::Vector3d position;
     JointVector<double, 7> torque, passive_torque;
     Eigen::Vector3d push;
     RigidBody payload;
-    double weight, potential, injected, dissipated;  // of arm and payload [J], lambda_1 V [J], [W], [W]
+    double weight, potential, injected, dissipated;  // potential energy of arm and payload, lambda_1 V [J], powers [W]
   };
-  /// Of the weight of arm and payload [J].
+  /// Potential energy of the weight of arm and payload [J].
   static double potential(const SyntheticArm<7>& arm, const RigidBody& payload) noexcept {
     return arm.model().energy(arm.q(), JointVector<double, 7>::Zero(), payload);
   }

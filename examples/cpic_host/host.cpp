@@ -55,7 +55,7 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
   status_ = ramp_.update(compensation);
   if (status_ != Status::Ok) return torque_;
   compensation_ = ramp_.torque();
-  if (tank_) {  // heights from the target on: the middle of where this arm works
+  if (tank_) {  // p counts from the target, in the middle of the workspace
     status_ = tank_->update(
         q, ramp_.torque(),
         compensation_potential<double>(payload_.payload(), kinematics.position - config_.target, kinematics.rotation));
@@ -63,9 +63,9 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
     compensation_ = tank_->torque();
   }
 
-  // The rows rest on a prediction of ddq. What the last command does not explain of the motion since (a push,
-  // friction, a payload's weight) is taken to last: an observer fed with commands, fast, since no offset of a sensor
-  // is in it.
+  // The rows need a prediction of ddq. A fast observer, whose input is the last command, sees the torque that this
+  // command does not explain (a push, friction, a payload's weight). The prediction takes this torque to last. The
+  // observer can be fast because its output contains no sensor offset.
   status_ = disturbance_.update(torque_, dq, dynamics.mass_matrix, dynamics.coriolis_transpose, dynamics.gravity);
   if (status_ != Status::Ok) return torque_;
   CpicInput<double, 7> input;
@@ -90,12 +90,12 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
   }
   if (config_.wall) track_flange(kinematics, twist, dq);
   status_ = solve(input, q, dq, error);
-  // More than the arm can allow for: what is surely known first. An answer that misses rows by least squares would give
-  // up limits that can be kept.
+  // The error with the payload's uncertainty can be larger than the arm can allow for. The rows are then solved with
+  // the error that was seen alone: the answer to infeasible rows would give up limits that can be kept.
   if (status_ == Status::Infeasible && config_.payload_aware) status_ = solve(input, q, dq, seen);
   if (status_ == Status::NonFiniteInput || status_ == Status::NotPositiveDefinite) return torque_;
   prediction_.predict(cpic_.acceleration());
-  // Within the limits already, but for the last bit of this sum.
+  // CPIC has kept the limits; this only removes the rounding error of the sum.
   torque_ = (cpic_.torque() + input.other_torque).cwiseMax(-limit_).cwiseMin(limit_);
   return torque_;
 }
@@ -103,7 +103,7 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
 Status Host::solve(const CpicInput<double, 7>& input, const Vector& q, const Vector& dq,
                    const AccelerationError<double, 7>& error) noexcept {
   rows_.clear();
-  Status limits = Status::Ok;  // Infeasible where the error leaves no room: there is an answer all the same
+  Status limits = Status::Ok;  // Infeasible if the error is too large; there are rows, and an answer, even then
   if (config_.constrained) {
     limits = limits_.append(q, dq, rows_, error);
     if (limits != Status::Ok && limits != Status::Infeasible) return limits;
@@ -117,7 +117,7 @@ Status Host::solve(const CpicInput<double, 7>& input, const Vector& q, const Vec
   return status == Status::Ok ? limits : status;
 }
 
-/// The flange's motion, with Jdot as the change of J over the last tick.
+/// Computes the flange's motion, with Jdot from the change of J over the last tick.
 void Host::track_flange(const Kinematics<7>& kinematics, const Twist<double>& twist, const Vector& dq) noexcept {
   const Eigen::Matrix<double, 3, 7> J_v = kinematics.jacobian.topRows<3>();
   if (!started_) last_ = J_v;

@@ -20,16 +20,16 @@
 
 namespace rme::examples {
 
-/// A plane that the flange must not pass: n.x >= offset.
+/// A plane that the flange must not cross: n.x >= offset.
 struct Wall {
-  Eigen::Vector3d normal;  // of unit length
+  Eigen::Vector3d normal;  // n, of unit length, world axes
   double offset;           // [m]
 };
 
-/// A push that comes and goes like a person's: rises, holds, falls.
+/// A push like a person's: the force rises, stays, and falls.
 struct Push {
-  double start = 0, rise = 0.15, hold = 0;  // [s]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  double start = 0, rise = 0.15, hold = 0;          // [s]; it falls in the same time as it rises
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // the largest [N], world axes
 
   Eigen::Vector3d at(double t) const {
     const double s = t - start;
@@ -37,29 +37,29 @@ struct Push {
   }
 };
 
-/// What the host's rows know of the torque that acts beside its own.
+/// Which torque beside tau the host's bias contains.
 enum class Prediction {
-  Nominal,   ///< nothing, as published: compensation is added afterwards and thought to be right
-  Observer,  ///< all that a fast observer sees
+  Nominal,   ///< only the nominal model's, as published: the compensation is added afterwards and taken to be right
+  Observer,  ///< also the compensation, and all that a fast observer sees
 };
 
 struct HostConfig {
   double period = 1e-3;     // [s]
-  bool constrained = true;  // with the rows of CPIC, or the passive law alone, cut to the torque limits
-  // Where the barriers stand inside the mechanical limits [rad]: what an unknown torque may push through them.
+  bool constrained = true;  // false: CPIC without rows, with the torque limits only
+  // How far inside the mechanical limits the barriers are [rad], since an unknown torque may push a joint beyond them.
   double margin = 0.005;
-  bool sampled = false;  // rows for sampled time, tightened by the error of the prediction as seen just now
+  bool sampled = false;  // rows for sampled time, tightened by the error of the prediction that was seen
   Prediction prediction = Prediction::Observer;
-  std::optional<EnergyTankConfig> tank;  // the compensation is paid from it, with the payload of believe()
-  bool payload_aware = false;            // rows allow for what the payload is not known to be: see believe()
-  std::optional<Wall> wall;              // by default a soft row: the arm's own limits go first
+  std::optional<EnergyTankConfig> tank;  // pays for the compensation, with the payload of believe()
+  bool payload_aware = false;            // rows are tightened by the uncertainty of the payload of believe()
+  std::optional<Wall> wall;              // by default a soft row: the arm's own limits have priority
   double wall_weight = 1e3;              // infinite: hard
   Eigen::Vector3d target;                // of the linear attractor, or the centre of the cycle [m]
-  std::optional<double> cycle_radius;    // [m]; turns in the y-z plane
+  std::optional<double> cycle_radius;    // [m]; if set, a limit cycle in the y-z plane replaces the attractor
   Eigen::Quaterniond orientation;        // target
-  JointVector<double, 7> posture;        // where the elbow likes to be [rad]
+  JointVector<double, 7> posture;        // rest pose of the posture torque [rad]
 
-  /// To hold the pose of `q`.
+  /// The settings for holding the pose of `q`.
   static HostConfig hold(const ArmModel<7>& model, const JointVector<double, 7>& q) {
     const Kinematics<7> at = model.kinematics(q);
     HostConfig config;
@@ -78,29 +78,30 @@ class Host {
   Host(const ArmModel<7>& model, const HostConfig& config);
 
   /// One tick.
-  /// @param compensation  what carries the payload [N m]; it is approached no faster than the arm's torque rate allows
+  /// @param compensation  torque that carries the payload [N m]; a CompensationRamp limits its rate
   /// @return the torque to command [N m], gravity included
   const Vector& update(const SyntheticArm<7>& arm, const Vector& compensation) noexcept;
 
-  /// What is in the hand, for payload_aware and the tank; until the first call, that it is surely empty.
+  /// Sets the belief about the payload, for payload_aware and the tank. Until the first call, the hand is surely empty.
   void believe(const PayloadGaussian<double>& payload, const PerHypothesis<double>& probability) noexcept {
     payload_ = payload;
     probability_ = probability;
   }
 
-  /// Of the last update; Infeasible and NotConverged come with a torque, every other failure repeats the last one.
+  /// Of the last update. Infeasible and NotConverged come with a new torque; every other failure repeats the last
+  /// torque.
   Status status() const noexcept { return status_; }
   const Cpic<double, 7, 8>& cpic() const noexcept { return cpic_; }
   const PassiveController<double>& passive() const noexcept { return passive_; }
-  /// What the last update commands [N m].
+  /// The torque that the last update returned [N m].
   const Vector& torque() const noexcept { return torque_; }
-  /// What of the compensation is commanded [N m]: what ramp and tank let through.
+  /// The compensation in the command [N m], after ramp and tank.
   const Vector& compensation() const noexcept { return compensation_; }
-  /// The share of the compensation that the tank lets through, 0 to 1; 1 without a tank.
+  /// The tank's share, 0 to 1, by which the compensation is multiplied; 1 without a tank.
   double tank_share() const noexcept { return tank_ ? tank_->share() : 1; }
 
  private:
-  /// CPIC under rows that allow for this error of the prediction.
+  /// Updates CPIC with rows that are tightened by this error of the prediction.
   Status solve(const CpicInput<double, 7>& input, const Vector& q, const Vector& dq,
                const AccelerationError<double, 7>& error) noexcept;
   void track_flange(const Kinematics<7>& kinematics, const Twist<double>& twist, const Vector& dq) noexcept;

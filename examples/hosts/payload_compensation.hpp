@@ -1,6 +1,6 @@
 #pragma once
-/// What all hosts share: what a controller gains, its settings, and the news of the payload. docs/embedding.md shows
-/// the parts between the marks; tests/docs/snippets.cmake keeps the two the same.
+/// Code that all hosts share: the compensation for a controller, its settings, and the events of the payload.
+/// docs/embedding.md shows the parts between the marks; tests/docs/snippets.cmake checks that its copies are the same.
 
 // <snippet compensation>
 #include <rme/rme.hpp>

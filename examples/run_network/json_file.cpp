@@ -10,7 +10,7 @@ namespace rme::examples {
 
 nlohmann::json parse_strictly(std::istream& text) {
   using nlohmann::json;
-  // nlohmann-json keeps the last of two equal keys without a word.
+  // Without this, nlohmann-json would silently keep the last of two equal keys.
   std::vector<std::set<std::string>> keys;
   const auto refuse_duplicates = [&](int, json::parse_event_t event, json& parsed) {
     if (event == json::parse_event_t::object_start) keys.emplace_back();

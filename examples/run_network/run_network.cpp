@@ -1,6 +1,6 @@
-// run_network WEIGHTS.json INPUTS.json: what does an exported network say? The check that an export is right.
+// run_network WEIGHTS.json INPUTS.json: prints the outputs of an exported network, to check that the export is right.
 //
-// Standard output is empty unless all of it is there.
+// If there is an error, standard output stays empty.
 #include <cstdio>
 #include <memory>
 #include <rme/network/json.hpp>

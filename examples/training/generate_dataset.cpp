@@ -1,8 +1,9 @@
-// generate_dataset FILE: what a Panda feels in the 200 ms windows after somebody hands it an unknown object.
+// generate_dataset FILE: the pseudo-wrenches of a Panda in 200 ms windows after an unknown object is attached to it.
 //
-// Each event is a simulated arm holding a random pose; a random box is attached, at once or within 150 ms; the sensors
-// have noise, offsets and friction (examples/synthetic_arm). Each event is cut into several windows that start up to
-// 0.6 s after the attach. Every event has its own seed, so that the file does not depend on the number of threads.
+// In each event, a simulated arm holds a random pose, and a random box is attached, at once or within 150 ms. The
+// sensors have noise and offsets, and most measure joint friction (examples/synthetic_arm). Several windows are taken
+// from each event; they start up to 0.6 s after the attach. Every event has its own seed, so that the file does not
+// depend on the number of threads.
 //
 // FILE: one line of JSON that names the columns, then 32-bit floats, row after row, little-endian; train.py reads it.
 #include <algorithm>
@@ -44,9 +45,9 @@ Exit codes: 0 done; 2 unusable arguments; 3 the file cannot be written.
 using Vector7 = rme::JointVector<double, 7>;
 using Vector6 = rme::Vector6<double>;
 
-constexpr int kSamples = 20, kStride = 10;    // the newest of each 10 ms
-constexpr int kQuiet = 500, kBaseline = 100;  // before the attach, the last of it is the baseline [ms]
-constexpr int kLatestStart = 600;             // of a window, after the attach [ms]
+constexpr int kSamples = 20, kStride = 10;    // the newest sample of each 10 ms
+constexpr int kQuiet = 500, kBaseline = 100;  // time before the attach; its last part is the baseline [ms]
+constexpr int kLatestStart = 600;             // latest start of a window after the attach [ms]
 constexpr int kAfter = kLatestStart + kSamples * kStride;
 
 constexpr const char* kColumns =
@@ -104,7 +105,7 @@ class Event {
     return config;
   }
 
-  /// A row for each window, or nothing if the arm went where no arm would go.
+  /// A row for each window; empty if the arm leaves its pose by more than 0.3 m or exceeds a velocity limit.
   std::vector<float> rows(const Settings& settings, int index);
 
  private:
@@ -115,13 +116,13 @@ class Event {
 std::vector<float> Event::rows(const Settings& settings, int index) {
   const ArmModel<7>& model = panda();
   SyntheticArmConfig<7> config = with_typical_faults(model, random_());
-  // Some arms sense behind the gears and see no friction; the network has to serve both.
+  // A quarter of the arms sense behind the gears and measure no friction; the network has to serve both kinds.
   if (uniform(0, 1) < 0.25) config.sensing = TorqueSensing::LinkSide;
   const Vector7 target = pose(settings.any_pose);
   const PoseImpedance<7> controller(model, target, gains());
   const RigidBody body = payload();
   const double ramp = uniform(0, 1) < 0.5 ? 0 : uniform(0, 0.15);
-  // Not quite at the target: coming to rest leaves some friction in each joint, as a real arm's last motion does.
+  // The arm starts beside the target and moves to it. This leaves some friction in each joint, as on a real arm.
   SyntheticArm<7> arm(model, config, target + Vector7::NullaryExpr([&] { return normal(0.02); }));
   const auto tick = [&] { arm.step(controller.torque(arm.q(), arm.dq(), arm.kinematics(), arm.dynamics())); };
 
@@ -162,7 +163,7 @@ std::vector<float> Event::rows(const Settings& settings, int index) {
   return out;
 }
 
-/// Event `index`, drawn again until the arm holds it.
+/// The rows of event `index`, which is drawn again until the arm holds its pose.
 std::vector<float> make_rows(const Settings& settings, int index) {
   for (std::uint64_t attempt = 0;; ++attempt) {
     std::seed_seq sequence{settings.seed, static_cast<std::uint64_t>(index), attempt};
@@ -174,7 +175,7 @@ std::vector<float> make_rows(const Settings& settings, int index) {
 
 /// @throws std::runtime_error if the file cannot be written
 void generate(const Settings& settings, const std::string& path, unsigned threads) {
-  std::ofstream file(path, std::ios::binary);  // before the work that would be lost
+  std::ofstream file(path, std::ios::binary);  // opened before the simulation, which would be lost otherwise
   if (!file) throw std::runtime_error(path + ": cannot be written");
   std::vector<std::vector<float>> rows(static_cast<std::size_t>(settings.events));
   std::atomic<int> next{0};

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Golden vectors: what PyTorch, in double precision, says to windows that anybody can make again.
+"""Golden vectors: PyTorch's outputs, in double precision, for reproducible windows.
 
     golden.py                     for a network with reproducible random weights
     golden.py --model MODEL.json  for the network of a weights file
 
-Prints {"windows": 1000, "outputs": [1000][4]}. Weights and windows come from the generator below, so that
-the file holds answers only; tests/network/golden.hpp has the same generator in C++.
+Prints {"windows": 1000, "outputs": [1000][4]}. Windows and random weights come from the generator below, so
+the file contains outputs only; tests/network/golden.hpp has the same generator in C++.
 """
 import argparse
 import json
@@ -14,8 +14,8 @@ import torch
 
 from network import CHANNELS, SAMPLES, MismatchNetwork, from_json
 
-# Half the width of each random tensor's uniform distribution. Wide enough that the attention is far from uniform, and
-# every bias non-zero: PyTorch's own initial values would hide an error in either.
+# Half the width of each random tensor's uniform distribution. With these, the attention is far from uniform and every
+# bias is non-zero. With PyTorch's own initial values, an error in either would not show.
 WIDTHS = [
     ("convolution.weight", 0.3), ("convolution.bias", 0.3), ("positional_embedding", 1.0),
     ("attention.in_proj_weight", 0.3), ("attention.in_proj_bias", 0.3),
@@ -55,7 +55,7 @@ def random_windows(uniform, network, count):
 
 
 def vectors(model, count):
-    """The answers to `count` windows as JSON text; model is a weights file's JSON value, or None for random weights."""
+    """The outputs for `count` windows as JSON; model is a weights file's JSON value, or None for random weights."""
     network = random_network(Uniform(1)) if model is None else from_json(model)
     with torch.no_grad():
         outputs = network(random_windows(Uniform(2), network, count))

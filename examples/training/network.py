@@ -11,11 +11,11 @@ OUTPUTS = ["mass", "com_x", "com_y", "com_z"]
 
 
 class MismatchNetwork(nn.Module):
-    """Pseudo-wrenches [batch][20][6], raw, to (mass [kg], com_x, com_y, com_z [m]); Table 4 of the paper."""
+    """From raw pseudo-wrenches [batch][20][6] to (mass [kg], com_x, com_y, com_z [m]); Table 4 of the paper."""
 
     def __init__(self, mean=None, std=None, dropout=0.1):
         super().__init__()
-        # Buffers that are not parameters: they are exported as "normalization", not among the weights.
+        # Not persistent, so that state_dict() omits them: they are exported as "normalization", not as weights.
         self.register_buffer("mean", torch.zeros(CHANNELS) if mean is None else mean, persistent=False)
         self.register_buffer("std", torch.ones(CHANNELS) if std is None else std, persistent=False)
         self.convolution = nn.Conv1d(CHANNELS, CONV_CHANNELS, CONV_KERNEL, padding=CONV_KERNEL // 2)
@@ -37,7 +37,7 @@ class MismatchNetwork(nn.Module):
 
 
 def rounded(tensor):
-    """Nested lists of floats with 9 significant digits: enough to name every 32-bit float."""
+    """Nested lists of floats with 9 significant digits, which suffice for every 32-bit float."""
     if tensor.dim() == 0:
         value = float(tensor)
         if not math.isfinite(value):
@@ -47,7 +47,7 @@ def rounded(tensor):
 
 
 def to_json(network, frame, robot, end_effector, training):
-    """The JSON value of a network; frame is "world" or "end_effector", training is free-form provenance."""
+    """The JSON value of a network; frame is "world" or "end_effector", training says freely how it was trained."""
     network = network.cpu()
     return {
         "format": "rme.mismatch_network",
@@ -65,7 +65,7 @@ def to_json(network, frame, robot, end_effector, training):
 
 
 def from_json(value):
-    """The network, in double precision and in evaluation mode, that a JSON value describes."""
+    """The network that a JSON value describes, in double precision and in evaluation mode."""
     network = MismatchNetwork().double()
     network.mean = torch.tensor(value["normalization"]["mean"], dtype=torch.float64)
     network.std = torch.tensor(value["normalization"]["std"], dtype=torch.float64)

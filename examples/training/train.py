@@ -6,11 +6,13 @@
 
 published: the paper's recipe (Table 4): 350 payloads at the ready pose, 3 windows each, world axes, Adam 1e-4.
 panda:     the shipped model's: 8,000 payloads at any pose, 4 windows each, end-effector axes, a tenth of the damping,
-           random turns about the flange's axis, a loss in units of what is good enough, one cosine from 1e-3 to 0.
+           random rotations about the flange's axis, a loss relative to 0.1 kg and 0.02, 0.02, 0.05 m, a learning
+           rate that falls from 1e-3 to 0 along a cosine.
 
-Writes into the output folder: model.json, golden.json (what PyTorch says to 1,000 windows, see golden.py),
-loss.csv, loss.png (Figure 12 of the paper), metrics.json. Run again after an interruption, it goes on where it was.
-The same seed, data and machine give the same network. Needs PyTorch 1.13 or later; a GPU is used if there is one.
+Writes into the output folder: model.json, golden.json (PyTorch's outputs for 1,000 windows, see golden.py), loss.csv,
+loss.png (Figure 12 of the paper), metrics.json. After an interruption, run it again: it continues at the last
+checkpoint. The same seed, data and machine give the same network. Needs PyTorch 1.13 or later; a GPU is used if there
+is one.
 """
 import argparse
 import csv
@@ -35,15 +37,15 @@ class Recipe:
     windows: int
     pose: str
     frame: str
-    damping: float     # of the pseudo-wrench
+    damping: float     # lambda of the pseudo-wrench
     epochs: int
     batch: int
-    rate: float
-    cosine: bool       # learning rate falls to zero over the epochs; else it stays
+    rate: float        # learning rate
+    cosine: bool       # the learning rate rises over two epochs and then falls to zero; otherwise it is constant
     dropout: float
-    turns: bool        # random turns about an axis under which the physics is the same
-    scale: tuple       # errors count in these units (kg, m, m, m)
-    patience: int      # epochs without a better validation loss until it stops
+    turns: bool        # augment by random rotations under which the physics is the same
+    scale: tuple       # the loss counts errors relative to these (kg, m, m, m)
+    patience: int      # epochs without a better validation loss after which the training stops
 
 
 RECIPES = {
@@ -69,7 +71,7 @@ class Dataset:
 
 
 def generate(generator, path, events, windows, pose, damping, seed):
-    """Makes a data set unless it is there already."""
+    """Reads a data set, and makes it first if the file does not exist."""
     if not os.path.exists(path):
         subprocess.run([generator, path + ".part", "--events", str(events), "--windows", str(windows), "--pose", pose,
                         "--damping", str(damping), "--seed", str(seed)], check=True)
@@ -80,13 +82,13 @@ def generate(generator, path, events, windows, pose, damping, seed):
 def turned(windows, theta, frame, generator):
     """The same events with the flange's axes, or the robot's base, turned about z by random angles.
 
-    Turning the flange's axes is adding to the last joint's angle, turning the base is adding to the first one's: neither
-    changes what the other joints feel.
+    Turning the flange's axes adds a constant to the last joint's angle; turning the base adds one to the first joint's.
+    Neither changes the joint torques.
     """
     angle = (2 * math.pi * torch.rand(len(windows), generator=generator)).to(windows.device)
     cos, sin, zero, one = angle.cos(), angle.sin(), torch.zeros_like(angle), torch.ones_like(angle)
     turn = torch.stack([cos, -sin, zero, sin, cos, zero, zero, zero, one], 1).reshape(-1, 3, 3)
-    # Force and moment, sample by sample, turn alike.
+    # Force and moment are rotated in the same way, in each sample.
     pairs = windows.reshape(len(windows), -1, 3) @ turn.transpose(1, 2)
     if frame == "end_effector":
         theta = torch.cat([theta[:, :1], (turn @ theta[:, 1:, None])[:, :, 0]], 1)
@@ -94,7 +96,7 @@ def turned(windows, theta, frame, generator):
 
 
 def metrics(network, data, frame, device):
-    """Errors on a data set, payloads of 0.3 kg and more; the part of the CoM along gravity cannot be seen at rest."""
+    """Errors on the payloads of 0.3 kg and more; the part of the CoM along gravity does not show at rest."""
     with torch.no_grad():
         predicted = torch.cat([network(part.to(device)).cpu() for part in getattr(data, frame).split(4096)])
     keep = data.theta[:, 0] >= 0.3
@@ -155,19 +157,19 @@ def main():
     torch.set_num_threads(arguments.threads)
     torch.manual_seed(arguments.seed)
     device = "cuda" if torch.cuda.is_available() else "cpu"
-    # Test events have another seed, and with it other payloads, poses, gains and faults.
+    # Test events have another seed, and so other payloads, poses, gains and sensor errors.
     data = generate(arguments.generator, output("train.bin"), recipe.events, recipe.windows, recipe.pose,
                     recipe.damping, 1000 * arguments.seed + 1)
     tests = {f"test_{pose}_pose": generate(arguments.generator, output(f"test_{pose}.bin"), max(recipe.events // 8, 50),
                                            4, pose, recipe.damping, 1000 * arguments.seed + 2) for pose in ("any", "ready")}
 
     inputs, theta = getattr(data, recipe.frame).to(device), data.theta.to(device)
-    # All windows of a payload are on the same side of the split.
+    # All windows of a payload belong to the same part of the split.
     validation = data.event[:, 0] >= 0.8 * data.header["events"]
     training = (~validation).nonzero()[:, 0]
     mean, std = inputs[training].mean((0, 1)), inputs[training].std((0, 1))
     network = MismatchNetwork(mean.cpu(), std.cpu(), recipe.dropout).to(device)
-    # The head learns standardised outputs; their scale becomes part of it below, at the end.
+    # The head learns standardised outputs; at the end, their mean and scale are included in it.
     middle, spread = theta[training].mean(0), theta[training].std(0)
     unit = spread / torch.tensor(recipe.scale, device=device)
 

@@ -35,7 +35,7 @@ bool is_identifier(const std::string& name) {
   return true;
 }
 
-/// A float literal that names the same float: 9 digits do.
+/// A literal of exactly this float: 9 digits suffice.
 std::string literal(float value) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.9g", static_cast<double>(value));
@@ -59,7 +59,7 @@ void print_header(const Model& model, const std::string& name) {
   std::printf("#pragma once\n// Made by rme's weights_to_header.\n#include <rme/network/weights.hpp>\n\n");
   std::printf("inline constexpr rme::MismatchNetworkWeights<float> %s{\n", name.c_str());
   std::printf("    rme::InputFrame::%s,\n", world ? "World" : "EndEffector");
-  // An aggregate: what follows must be in the order of the members, which is that of for_each_tensor.
+  // An aggregate needs its members in order; for_each_tensor has the same order.
   print_array("normalization.mean", weights.normalization_mean);
   print_array("normalization.std", weights.normalization_std);
   rme::for_each_tensor(weights, [](const char* tensor, const auto&, const auto& array) { print_array(tensor, array); });

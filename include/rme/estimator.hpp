@@ -1,5 +1,5 @@
 #pragma once
-/// The class that a host owns: samples in each tick, the payload and the torque that carries it out.
+/// The class that a host owns. It takes a sample each tick, and gives the payload and the torque that carries it.
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -26,9 +26,9 @@ namespace rme {
 ///     tau_command += estimator.compensation(jacobian, rotation);    // through a CompensationRamp
 ///     estimator.state().payload                                     // mass and centre of mass, with covariance
 ///
-/// Real time: no call but the constructor allocates or throws. The filters of a block, of 10 + 5 Dofs unknowns each, run
-/// on the ticks after it: at 1 kHz at most four on one tick, below 400 Hz all fifteen. On all other ticks update() is
-/// O(Dofs).
+/// Real time: no call but the constructor allocates or throws. For each block, fifteen filters of 10 + 5 Dofs unknowns
+/// run on the ticks after it: at 1 kHz at most four on one tick, below 400 Hz all on one tick. On all other ticks
+/// update() is O(Dofs).
 template <typename Scalar, int Dofs>
 class Estimator {
   static_assert(Dofs != Eigen::Dynamic, "Estimator: the number of joints has to be known at compile time");
@@ -39,54 +39,54 @@ class Estimator {
   using Torque = JointVector<Scalar, Dofs>;      ///< [N m]
 
   /// @param dt      nominal control period [s], above 0 and at most 0.02
-  /// @param config  what the estimator cannot find out by itself
+  /// @param config  settings: what the estimator cannot find out by itself
   /// @throws std::invalid_argument naming the field out of range
   explicit Estimator(double dt, const Config& config = Config());
 
   /// Advances by one sample.
   /// @param sample  tau_ext, J, R and dq of this tick
-  /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible, or NotARotation: the estimator is then as it
-  ///         was, and the sample does not count
+  /// @return Ok; NonFiniteInput (also for numbers beyond kLargestPlausible) or NotARotation: the estimator is then as
+  ///         it was, and the sample does not count
   Status update(const Proprioception<Scalar, Dofs>& sample) noexcept;
-  /// The current estimate, and what is going on.
+  /// The current estimate, and what happens to the payload.
   const EstimatorState<Scalar>& state() const noexcept { return state_; }
 
   /// The joint torque that carries the payload, to be added to the command [N m], Dofs x 1 (docs/theory.md (T34)):
   ///
   ///     tau_comp = -share c J^T w(payload),   c = m^2 / (m^2 + std^2)
   ///
-  /// Zero for an empty hand. If the payload's weight is suddenly missing in tau_ext, the removal guard reduces `share`
-  /// from 1 to 0 at once, before it is known whether the object was dropped or lifted (T35). For a pose that is not
-  /// plausible (plausible.hpp), that of the last good sample is used.
+  /// It is nearly zero for an empty hand. If the payload's weight is suddenly missing in tau_ext, the removal guard
+  /// reduces `share` from 1 towards 0 within milliseconds, before it is known whether the object was dropped or lifted
+  /// (T35). If the pose is not plausible (plausible.hpp), that of the last good sample is used.
   /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
   /// @param rotation  R, end-effector axes to world axes
   Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept;
 
-  /// The hand is empty. Like the three calls below, this says what the host knows. None is needed, and data can still
-  /// overturn each.
+  /// Says that the hand is empty. This call and the three below tell the estimator what the host knows. None of them is
+  /// needed. If the samples contradict what the host says, the estimate follows the samples.
   void declare_empty() noexcept;
-  /// This is in the hand.
+  /// Says what is in the hand.
   /// @param payload  mass [kg], >= 0, and centre of mass [m], end-effector axes; covariance positive semidefinite
-  /// @return Ok; NonFiniteInput, also for a mass or a variance below 0: then nothing is changed
+  /// @return Ok; NonFiniteInput, also for a mass or a variance below 0: nothing is changed then
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept;
-  /// The payload changes now, since the gripper has closed or opened: for 0.3 s, the hypothesis *exchanged* is as likely
-  /// beforehand as all others together.
+  /// Says that the payload changes at this moment, for example because the gripper has closed or opened. For 0.3 s, the
+  /// hypothesis *exchanged* then has as much prior probability as all others together.
   void trigger() noexcept { expected_ = kExpected; }
-  /// For contact that the host knows about. While `inhibited` is true, nothing is learned, and the estimate stays. The
-  /// removal guard goes on: the compensation is reduced if the payload's weight is missing, since the object may have
-  /// been dropped. inhibit(false) has the effect of trigger().
+  /// Says that the arm is in contact. While `inhibited` is true, nothing is learned, and the estimate stays as it is.
+  /// The removal guard still works: it reduces the compensation if the payload's weight is missing, since the object
+  /// may have been dropped. When the contact is over, inhibit(false) has the effect of trigger().
   void inhibit(bool inhibited) noexcept {
     if (inhibited_ && !inhibited) trigger();
     inhibited_ = inhibited;
   }
 
   const Config& config() const noexcept { return config_; }  ///< as constructed
-  /// As constructed: what was learned of the arm is forgotten, too.
+  /// Returns to the state after construction. What was learned of the arm is forgotten, too.
   void reset() noexcept;
 
  private:
   static constexpr double kExpected = 0.3;  // how long an exchange is expected after trigger() [s]
-  static constexpr double kHealthy = 3;     // health up to which the filter's covariance is taken as it is
+  static constexpr double kHealthy = 3;     // health up to which the filters' covariance is not increased
 
   Torque carried(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
     return compensation_torque<Scalar>(state_.payload.payload(), jacobian, rotation, config_.gravity);
@@ -109,7 +109,7 @@ class Estimator {
   Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();  // of the last good sample
   Matrix3<Scalar> rotation_ = Matrix3<Scalar>::Identity();
   int steps_per_tick_;
-  double expected_ = 0;  // for so long an exchange is still expected [s]
+  double expected_ = 0;  // how long an exchange is still expected [s]
   bool inhibited_ = false;
 };
 
@@ -121,7 +121,7 @@ Estimator<Scalar, Dofs>::Estimator(double dt, const Config& config)
       averager_(config.observer_bandwidth, config.gravity),
       tracker_(config.arm.value_or(ArmPrior<Scalar, Dofs>::of(config.rated_payload)), payload_prior_,
                config.rated_payload, config.sensing) {
-  // In a quarter of the ticks between two blocks, so that the estimate is soon up to date.
+  // A block is processed in a quarter of the ticks until the next one, so that the estimate is soon up to date.
   const int ticks = static_cast<int>(BlockAverager<Scalar, Dofs>::kDuration / dt / 4);
   steps_per_tick_ = Tracker<Scalar, Dofs>::kSteps / std::max(1, ticks) + 1;
   publish();
@@ -150,7 +150,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   guard_.update(averager_.torque(), detail::scaled(Scalar(-1), carried(in.jacobian, in.rotation)),
                 static_cast<Scalar>(dt));
   expected_ = std::max(0.0, expected_ - dt);
-  // A Jacobian of zeros shows nothing of the payload.
+  // With a Jacobian of zeros, tau_ext does not depend on the payload.
   if (complete && !inhibited_ && in.jacobian.squaredNorm() > 0) tracker_.begin(averager_.block(), expected_ > 0);
   for (int i = 0; i < steps_per_tick_; ++i) {
     if (!tracker_.advance()) continue;
@@ -178,11 +178,12 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   state_.health = belief.health;
   state_.sensing = belief.sensing;
   PayloadGaussian<Scalar> held = payload_of(belief.payload, payload_prior_);
-  // With far larger innovations than the model predicts, the covariance that it predicts is too small as well.
+  // If innovations are far larger than the model predicts, the covariance that it predicts is too small as well.
   const Scalar excess = std::max(Scalar(1), belief.health / Scalar(kHealthy));
   held.covariance *= excess;
   const Scalar empty = belief.probability[Hypothesis::Empty], mass = held.mean[0];
-  // So small a mass cannot be told from an offset. More for an empty hand, since no block has measured a mass.
+  // A mass below this cannot be distinguished from an offset. It is larger for an empty hand, whose mass no block has
+  // measured.
   const Scalar least = Scalar(state_.empty() ? 3e-4 : 1e-4) * config_.rated_payload;
   // Moments of a mixture: an empty hand with probability `empty`, otherwise `held`.
   const Scalar variance = (Scalar(1) - empty) * (held.covariance(0, 0) + empty * mass * mass);

@@ -19,16 +19,19 @@ struct EstimatorConfig {
   /// The heaviest payload that the arm is made for [kg], above 0 and at most 10,000. No larger mass is estimated, and
   /// the defaults for noise, offsets, friction, pushes and payloads scale with it.
   Scalar rated_payload = Scalar(3);
-  /// Bandwidth of the first-order filter through which tau_ext comes [rad/s]: the gain K of the arm's momentum observer,
-  /// 1 to 100,000; 0 if the torque is unfiltered. The filter is assumed to advance each millisecond.
+  /// Bandwidth of the first-order filter through which tau_ext comes [rad/s]: the gain K of the arm's momentum
+  /// observer, 1 to 100,000; 0 if the torque is unfiltered. The filter is assumed to run at 1 kHz.
   double observer_bandwidth = 50;
-  /// Kind of torque sensing, if it is known; otherwise the estimator finds out, for which the arm has to move.
+  /// Kind of torque sensing, if it is known. Otherwise the estimator finds it out, for which the arm has to move.
   std::optional<Sensing> sensing = std::nullopt;
-  /// Sizes of the joints' noise, offset and friction, where they are known better than ArmPrior::of(rated_payload).
+  /// Sizes of the joints' noise, offset, residual and friction, if they are known better than in
+  /// ArmPrior::of(rated_payload); each number > 0.
   std::optional<ArmPrior<Scalar, Dofs>> arm = std::nullopt;
-  /// What is likely to be picked up, where that is known better than PayloadPrior::of(rated_payload).
+  /// What is likely to be picked up, if that is known better than in PayloadPrior::of(rated_payload); mass_mean is from
+  /// 0 to rated_payload, standard deviations are > 0.
   std::optional<PayloadPrior<Scalar>> payload = std::nullopt;
 
+  /// Checks all settings.
   /// @param dt  nominal control period [s], above 0 and at most 0.02
   /// @throws std::invalid_argument naming the field out of range
   void validate(double dt) const;

@@ -1,5 +1,5 @@
 #pragma once
-/// An EstimatorConfig's JSON form: an object with the fields of the struct under their own names. Link rme::json.
+/// The JSON form of an EstimatorConfig: an object with the fields of the struct under their own names. Link rme::json.
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
@@ -21,21 +21,24 @@ namespace rme {
 ///      "arm": {"noise": [..], "offset": [..], "residual": [..], "coulomb": [..], "viscous": [..]},
 ///      "payload": {"mass_mean": 1, "mass_std": 1, "com_mean": [0, 0, 0.1], "com_std": [0.06, 0.06, 0.07]}}
 ///
-/// "model", where check_arm wrote one, is not read: it names the rigid-body model whose torque the settings describe,
-/// which the host has to use.
+/// "torque_sign" is "external" or "reaction"; "sensing" is "unknown", "link_side", "joint_friction" or "rough_model".
+/// "model", which check_arm may write, is not read. It names the rigid-body model that belongs to the settings: the
+/// host has to compute tau_ext with this model.
+///
 /// For a RuntimeEstimator, Dofs is Eigen::Dynamic, and the RuntimeEstimator checks the vectors' sizes.
 /// @throws std::invalid_argument naming a field that is unknown, missing or of the wrong type or size, with what was
-///         expected and what came. The Estimator checks ranges.
+///         expected and what was found. The Estimator's constructor checks ranges.
 template <typename Scalar, int Dofs>
 EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& object);
 
-/// The JSON object with every field of the settings; estimator_config_from_json() gives the same settings back.
+/// The JSON object of the settings, with "arm" and "payload" only if they are set. estimator_config_from_json() gives
+/// the same settings back.
 template <typename Scalar, int Dofs>
 nlohmann::json estimator_config_to_json(const EstimatorConfig<Scalar, Dofs>& config);
 
 namespace detail {
 
-/// Reads the fields of one object, and refuses those that it was not asked for.
+/// Reads the fields of one object, and refuses unknown ones.
 class SettingsReader {
  public:
   SettingsReader(const nlohmann::json& object, const std::string& path, std::initializer_list<const char*> known)
@@ -62,7 +65,7 @@ class SettingsReader {
 
 template <typename Scalar>
 Scalar read_number(const nlohmann::json& json, const std::string& path) {
-  // A float cannot hold every number, and what becomes of the others is undefined.
+  // Converting a number that is too large for Scalar is undefined behaviour.
   if (!json.is_number() || !(std::abs(json.get<double>()) <= double(std::numeric_limits<Scalar>::max())))
     refuse(path + ": expected a number, got " + describe(json));
   return json.get<Scalar>();
@@ -81,7 +84,7 @@ Vector read_vector(const nlohmann::json& json, const std::string& path) {
         read_number<typename Vector::Scalar>(json[i], path + "[" + std::to_string(i) + "]");
   return out;
 }
-/// The enumerator whose name the string is.
+/// The value whose name the string is: names[i] belongs to values[i].
 template <typename Enum, std::size_t Count>
 Enum read_name(const nlohmann::json& json, const std::string& path, const Enum (&values)[Count],
                const char* const (&names)[Count]) {

@@ -1,5 +1,5 @@
 #pragma once
-/// All that a host can read of an Estimator, as one plain struct.
+/// All that a host can read from an Estimator, as one plain struct.
 #include <array>
 #include <rme/core/payload.hpp>
 #include <rme/core/types.hpp>
@@ -11,29 +11,31 @@
 
 namespace rme {
 
-/// The current estimate, and what is going on. Times count from the estimator's construction or reset [s].
+/// The current estimate, and what happens to the payload. Times count from the estimator's construction or reset [s].
 template <typename Scalar>
 struct EstimatorState {
   double time = 0;     ///< of the last sample
-  double updated = 0;  ///< up to this time samples are in the estimate: earlier by one block and its computation
+  double updated = 0;  ///< the estimate includes samples up to this time, earlier by a block and its computation
   /// Mass and centre of mass of all that is in the hand [kg, m, m, m], end-effector axes. While empty() holds, the
   /// centre of mass is zero, with the prior's standard deviations.
   PayloadGaussian<Scalar> payload;
-  /// The ten inertial parameters (inertial_parameters.hpp) with their covariance, given that something is held.
+  /// The ten inertial parameters (inertial_parameters.hpp) with their covariance, given that something is held. Unlike
+  /// that of `payload`, this covariance does not grow with `health`.
   InertialGaussian<Scalar> inertial;
-  PerHypothesis<Scalar> probability = {{Scalar(1)}};  ///< of each hypothesis, sum 1; an empty hand at first
+  PerHypothesis<Scalar> probability = {{Scalar(1)}};  ///< of each hypothesis, sum 1; at first an empty hand
   /// How far to trust `payload`, 0 to 1: m^2 / (m^2 + std^2), divided by health / 3 while health is above 3.
   Scalar confidence = Scalar(0);
-  /// Normalised innovation squared over the last second: 1 if the arm does what its model and this payload say, above
-  /// 10 if not; 100 at most.
+  /// Normalised innovation squared, averaged over the last second (docs/theory.md (T30)): about 1 or less if the torque
+  /// is as the model and this payload predict it, above 10 if not; 100 at most. Above 3, the covariance of `payload` is
+  /// multiplied by health / 3.
   Scalar health = Scalar(1);
   std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing (Sensing), sum 1
   bool changing = false;                    ///< an event is going on
-  double change_onset = 0;                  ///< when it began
-  double change_noticed = 0;                ///< when it was noticed
+  double change_onset = 0;                  ///< when the current or the last event began
+  double change_noticed = 0;                ///< when that event was noticed
   Event event;                              ///< the last event that is over
 
-  /// Whether nothing is in the hand, as far as the torque can tell.
+  /// Whether the hand is probably empty: the probability of Hypothesis::Empty is above 0.5.
   bool empty() const noexcept { return probability[Hypothesis::Empty] > Scalar(0.5); }
   /// Probability that tau_ext contains joint friction.
   Scalar friction_shows() const noexcept { return Scalar(1) - sensing[static_cast<std::size_t>(Sensing::LinkSide)]; }

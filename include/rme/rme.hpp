@@ -1,8 +1,8 @@
 #pragma once
-/// What a host needs: estimator, momentum observer, compensation, and the controller. Behind their own headers are the
-/// published pipeline (rme/published/published_pipeline.hpp) with its network (rme/network/) and its inference over a
-/// window of samples (rme/inference/, rme/sensing/), and the JSON forms (rme/estimator_json.hpp and
-/// rme/network/json.hpp, target rme::json).
+/// What a host needs: estimator, momentum observer, compensation, and the controller. Not included are
+///  - the published pipeline (rme/published/published_pipeline.hpp), with its network (rme/network/) and its inference
+///    over a window of samples (rme/inference/, rme/sensing/);
+///  - the JSON forms (rme/estimator_json.hpp and rme/network/json.hpp, target rme::json).
 #include <rme/control/active_set_solver.hpp>
 #include <rme/control/barriers.hpp>
 #include <rme/control/compensation.hpp>

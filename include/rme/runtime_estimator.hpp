@@ -27,16 +27,17 @@ struct EstimatorOfAny<Scalar, Fewest, std::index_sequence<More...>> {
 
 }  // namespace detail
 
-/// An Estimator (estimator.hpp) for vectors of dynamic size: the same results to the last bit. Sizes are checked in
-/// each call. It holds the estimator for one number of joints, and is compiled for all from Fewest to Most;
-/// RuntimeEstimator<double, 6, 7> is compiled for 6 and 7 only.
+/// An Estimator (estimator.hpp) for vectors of dynamic size. It gives the same results to the last bit. Sizes are
+/// checked in each call. An object contains the Estimator for its number of joints. The class is compiled for all
+/// numbers from Fewest to Most; RuntimeEstimator<double, 6, 7> is compiled for 6 and 7 only.
 ///
 ///     RuntimeEstimator<double> estimator(model.nv, 0.001);
 ///     estimator.update(tau_ext, jacobian, rotation, dq);
 ///     if (estimator.compensation(jacobian, rotation, torque) == Status::Ok) tau_command += torque;
 ///
 /// Real time: no call but the constructor allocates or throws. Vectors and matrices may be anywhere in memory, in any
-/// storage order (Eigen::Map, Eigen::Ref, blocks). For an expression that has to be evaluated first, Eigen allocates.
+/// storage order (Eigen::Map, Eigen::Ref, blocks). If an argument is an expression that must be evaluated first, Eigen
+/// allocates.
 template <typename Scalar, int Fewest = 4, int Most = 8>
 class RuntimeEstimator {
   static_assert(1 <= Fewest && Fewest <= Most, "RuntimeEstimator: numbers of joints, from the fewest to the most");
@@ -52,7 +53,7 @@ class RuntimeEstimator {
   RuntimeEstimator(int joints, double dt, const Config& config = Config())
       : joints_(joints), any_(make<Fewest>(joints, dt, config)) {}
 
-  /// The number of joints.
+  /// The number of joints, as constructed.
   int joints() const noexcept { return joints_; }
 
   /// Advances by one sample: Estimator::update().
@@ -60,8 +61,8 @@ class RuntimeEstimator {
   /// @param jacobian  J, 6 x joints()
   /// @param rotation  R, end-effector axes to world axes
   /// @param dq        joint velocity [rad/s], joints()
-  /// @param period    time since the last sample [s]; 0 is the nominal period
-  /// @param motion    of the flange, from a host that knows it better than the differences of J dq
+  /// @param period    time since the last sample [s], >= 0; 0 means the nominal period
+  /// @param motion    of the flange, if the host knows it better than from differences of J dq
   /// @return Ok; WrongSize, NonFiniteInput or NotARotation: the estimator is then as it was
   template <typename Torque, typename Matrix, typename Velocity>
   Status update(const Eigen::MatrixBase<Torque>& tau_ext, const Eigen::MatrixBase<Matrix>& jacobian,
@@ -81,16 +82,16 @@ class RuntimeEstimator {
         },
         any_);
   }
-  /// The current estimate, and what is going on: Estimator::state().
+  /// The current estimate, and what happens to the payload: Estimator::state().
   const EstimatorState<Scalar>& state() const noexcept {
     return std::visit([](const auto& e) -> const EstimatorState<Scalar>& { return e.state(); }, any_);
   }
 
   /// The torque that carries the payload: Estimator::compensation().
-  /// @param jacobian  J, 6 x joints()
-  /// @param rotation  R, end-effector axes to world axes
-  /// @param torque    the result [N m], joints()
-  /// @return Ok, or WrongSize: `torque` is then as it was
+  /// @param jacobian     J, 6 x joints()
+  /// @param rotation     R, end-effector axes to world axes
+  /// @param[out] torque  the result [N m], joints()
+  /// @return Ok; WrongSize: `torque` is then as it was
   template <typename Matrix>
   Status compensation(const Eigen::MatrixBase<Matrix>& jacobian, const Eigen::Ref<const Matrix3<Scalar>>& rotation,
                       Eigen::Ref<Vector> torque) const noexcept {
@@ -110,7 +111,7 @@ class RuntimeEstimator {
   }
   /// The host says what is held: Estimator::set_payload().
   /// @param payload  mass [kg] and centre of mass [m], end-effector axes
-  /// @return Ok; NonFiniteInput: then nothing is changed
+  /// @return Ok; NonFiniteInput: nothing is changed then
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept {
     return std::visit([&](auto& e) { return e.set_payload(payload); }, any_);
   }
@@ -118,11 +119,11 @@ class RuntimeEstimator {
   void trigger() noexcept {
     std::visit([](auto& e) { e.trigger(); }, any_);
   }
-  /// While true nothing is learned: Estimator::inhibit().
+  /// The host says that the arm is in contact: Estimator::inhibit().
   void inhibit(bool inhibited) noexcept {
     std::visit([&](auto& e) { e.inhibit(inhibited); }, any_);
   }
-  /// As constructed: what was learned of the arm is forgotten, too.
+  /// Returns to the state after construction: Estimator::reset().
   void reset() noexcept {
     std::visit([](auto& e) { e.reset(); }, any_);
   }

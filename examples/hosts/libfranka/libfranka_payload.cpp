@@ -2,11 +2,11 @@
 //
 //     libfranka_payload ADDRESS [SETTINGS.json]
 //
-// What it believes is printed twice a second. A line on standard input asks for something:
-//     load    hand the payload over to the robot's own load, once it is sure
+// Prints the estimate twice a second. These lines on standard input are requests:
+//     load    hand the payload over to the robot's own load, if the estimate is certain enough
 //     empty   the hand is empty now: clear the robot's load
-//     quit
-// The stop button within reach, and nobody near the arm: it is compliant, and moves when it is pushed.
+//     quit    end the control loop and the program
+// Keep the stop button within reach, and everybody away from the arm: it is compliant, and moves when it is pushed.
 #include <franka/exception.h>
 #include <poll.h>
 #include <unistd.h>
@@ -29,7 +29,7 @@ using Vector = rme::JointVector<double, 7>;
 
 enum class Request { None, Load, Empty, Quit };
 
-/// What the two threads know of each other.
+/// Data that the two threads share.
 struct Shared {
   std::atomic<Request> request{Request::None};
   std::atomic<bool> running{true};
@@ -50,8 +50,8 @@ class JointHold {
     const Vector wanted = stiffness.cwiseProduct(held_ - Eigen::Map<const Vector>(state.q.data())) -
                           damping.cwiseProduct(Eigen::Map<const Vector>(state.dq.data())) +
                           Eigen::Map<const Vector>(coriolis.data());
-    // Half of the robot's torque rate; the other half is the compensation's. From its own last torque, not from
-    // tau_J_d.
+    // Half of the robot's torque rate; the other half is for the compensation. The step is counted from this
+    // controller's own last torque: tau_J_d includes the compensation.
     last_ += (wanted - last_).cwiseMax(-0.5).cwiseMin(0.5);  // [N m] in a millisecond
     franka::Torques torques(std::array<double, 7>{});
     Eigen::Map<Vector>(torques.tau_J.data()) = last_;
@@ -63,7 +63,7 @@ class JointHold {
   Vector held_, last_ = Vector::Zero();
 };
 
-/// Does what was asked for, between two control loops.
+/// Carries out a request, between two control loops.
 void answer(franka::Robot& robot, hosts::PayloadCompensation<7>& payload, Request request) {
   try {
     if (request == Request::Load) {
@@ -76,17 +76,18 @@ void answer(franka::Robot& robot, hosts::PayloadCompensation<7>& payload, Reques
       payload.reset();
       std::printf("empty: the robot carries nothing\n");
     }
-  } catch (const franka::CommandException& error) {  // all is as it was
+  } catch (const franka::CommandException& error) {  // nothing has changed
     std::printf("%s\n", error.what());
   }
 }
 
-/// The robot's thread: one control loop after another, and between them what can only be done there.
+/// The robot's thread: one control loop after another. Requests are carried out between them, since setLoad works only
+/// there.
 void carry(franka::Robot& robot, const franka::Model& model, hosts::PayloadCompensation<7>& payload, Shared& shared) {
   for (;;) {
     JointHold hold(model, robot.readOnce().q);
     const rme::Status status = hosts::control(robot, model, payload, [&](const franka::RobotState& state) {
-      // A control loop waits for nobody: if the other thread is reading, it gets the next one.
+      // The control loop must not wait: if the other thread is reading, this state is left out.
       if (const std::unique_lock<std::mutex> lock(shared.mutex, std::try_to_lock); lock)
         shared.state = payload.estimator().state();
       const franka::Torques torques = hold(state);
@@ -119,7 +120,7 @@ void talk(Shared& shared) {
   hosts::PayloadChanges changes;
   while (shared.running) {
     pollfd input = {STDIN_FILENO, POLLIN, 0};
-    if (shared.request != Request::None) {  // wait until it is answered
+    if (shared.request != Request::None) {  // wait until it has been carried out
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       continue;
     }
@@ -151,13 +152,13 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: libfranka_payload ADDRESS [SETTINGS.json]\n");
     return 2;
   }
-  std::ios::sync_with_stdio(false);  // or lines that have been read ahead would not show in in_avail()
+  std::ios::sync_with_stdio(false);  // otherwise in_avail() would not count lines that have been read ahead
   try {
     const rme::EstimatorConfig<double, 7> config =
         argc == 3 ? hosts::read_settings<7>(argv[2]) : hosts::franka_config();
     hosts::PayloadCompensation<7> payload(0.001, config);
     franka::Robot robot(argv[1]);
-    // To the robot an unknown payload is a contact. It must not stop for what it may be handed.
+    // To the robot, an unknown payload is a contact: the thresholds are above the torque of the payloads to come.
     robot.setCollisionBehavior({{60, 60, 55, 55, 40, 35, 30}}, {{80, 80, 75, 75, 55, 45, 40}},
                                {{60, 60, 60, 40, 40, 40}}, {{80, 80, 80, 55, 55, 55}});
     const franka::Model model = robot.loadModel();

@@ -1,6 +1,6 @@
-// pinocchio_payload: what an arm that reports joint torque alone has in its hand. The loop that a controller would
-// have, run on a recording: Pinocchio's model of the URDF, rme's momentum observer, the estimator. Prints a line for
-// each event, and at the end the estimate and the torque that would have carried it.
+// pinocchio_payload: estimates the payload of an arm that reports only joint torque. A controller's loop, run on a
+// recording: Pinocchio's model of the URDF, rme's momentum observer, the estimator. Prints each event that may have
+// changed the payload, with the estimate; at the end, the estimate and the torque that would have carried the payload.
 #include <algorithm>
 #include <cstdio>
 #include <pinocchio/parsers/urdf.hpp>
@@ -82,12 +82,12 @@ int carry(const pinocchio::Model& robot, const std::vector<std::string>& joints,
   rme::Proprioception<double, Dofs> sample;
   const rme::EstimatorState<double>& state = payload.estimator().state();
   int refused = 0;
-  for (std::size_t i = 0; i < log.size(); ++i) {  // what follows is the inside of a control loop
+  for (std::size_t i = 0; i < log.size(); ++i) {  // the body is that of a control loop
     const double measured = i == 0 ? 0 : log.t[i] - log.t[i - 1];
     rme::Status status = sensing.update(log.q[i], log.dq[i], log.tau[i], measured, sample);
     if (status == rme::Status::Ok) status = payload.update(sample);
     if (status != rme::Status::Ok) ++refused;
-    // A controller commands its own torque and payload.torque() here; printing belongs in another thread.
+    // Here a controller commands its own torque plus payload.torque(); printing belongs in another thread.
     if (changes.since_last(state)) {
       std::printf("%s\n", name_of(state.event.kind));
       print(state);

@@ -1,5 +1,5 @@
 #pragma once
-/// An estimator's samples from joint positions, velocities and torques, by Pinocchio's model of the arm.
+/// Makes an estimator's samples from joint positions, velocities and torques, with Pinocchio's model of the arm.
 #include <algorithm>
 #include <cstddef>
 #include <pinocchio/algorithm/compute-all-terms.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-/// A plugin for ros2_control: holds the arm where it was when it was activated, and carries what it is handed.
+/// A plugin for ros2_control: holds the pose that the arm had at activation, and carries what it is handed.
 #include <chrono>
 #include <mutex>
 #include <rclcpp/rclcpp.hpp>
@@ -8,8 +8,9 @@
 
 namespace hosts {
 
-/// A spring and a damper at each joint, with the model's gravity and the payload's. Parameters, beside those of
-/// PayloadController: `stiffness` [N m/rad] and `damping` [N m s/rad] of each joint; `robot_adds_gravity`.
+/// A spring and a damper at each joint, plus the gravity torque of model and payload. Parameters, in addition to those
+/// of PayloadController: `stiffness` [N m/rad] and `damping` [N m s/rad], one number per joint; `robot_adds_gravity`:
+/// the robot adds the gravity torque of its own model, and this controller does not.
 template <int Dofs>
 class JointHold : public PayloadController<Dofs> {
   using Base = PayloadController<Dofs>;
@@ -37,7 +38,7 @@ class JointHold : public PayloadController<Dofs> {
     stiffness_ = Eigen::Map<const Vector>(stiffness.data());
     damping_ = Eigen::Map<const Vector>(damping.data());
     robot_adds_gravity_ = node->get_parameter("robot_adds_gravity").as_bool();
-    // The node's executor runs it, outside the control loop.
+    // The node's executor runs report(), outside the control loop.
     report_ = node->create_wall_timer(std::chrono::milliseconds(200), [this] { report(); });
     return Base::on_configure(previous);
   }
@@ -49,7 +50,7 @@ class JointHold : public PayloadController<Dofs> {
 
   return_type update(const rclcpp::Time& time, const rclcpp::Duration& period) override {
     const return_type result = Base::update(time, period);
-    // A control loop waits for nobody: if the report is reading, it gets the next one.
+    // The control loop must not wait: if report() is reading, this state is left out.
     if (const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock); lock)
       state_ = this->payload().estimator().state();
     return result;
@@ -64,7 +65,7 @@ class JointHold : public PayloadController<Dofs> {
   }
 
  private:
-  /// A line in the log whenever the hand may hold something else, and while something is wrong.
+  /// Writes a line to the log when the payload may have changed, and while health is above 10.
   void report() {
     const rme::EstimatorState<double> state = [this] {
       const std::lock_guard<std::mutex> lock(mutex_);

@@ -13,9 +13,9 @@
 namespace rme {
 
 /// The gains of a barrier as the poles of h'' + k_2 h' + k_1 h = 0: k_1 = p_1 p_2, k_2 = p_1 + p_2
-/// (docs/theory_control.md (C10)). Two real, stable poles are what the guarantee needs: from h >= 0 and h' >= -p h for
-/// one of the poles, h never becomes negative. The slower pole says how early the arm brakes: from speed v at a
-/// distance of v / p, decelerating with p v at most.
+/// (docs/theory_control.md (C10)). The guarantee needs two real, stable poles: if h >= 0 and h' >= -p h hold at the
+/// start for one of the poles p, h never becomes negative. The slower pole p sets how early the arm brakes: from speed
+/// v at a distance of v / p, with a deceleration of at most p v.
 template <typename Scalar>
 class BarrierPoles {
  public:
@@ -25,13 +25,14 @@ class BarrierPoles {
     detail::require_positive(first, "BarrierPoles::first", "> 0 1/s (a stable pole)");
     detail::require_positive(second, "BarrierPoles::second", "> 0 1/s (a stable pole)");
   }
-  /// Gains for a torque that is held for a period T, in place of one that changes all the time: with p the faster pole,
-  /// s the slower one and D = T (1 + p T / 2),
+  /// Gains for a torque that is held for a period T, instead of one that changes continuously. With the faster pole p,
+  /// the slower pole s and D = T (1 + p T / 2),
   ///
   ///     k_1 = p (1 - e^-sT) / D,    k_2 = (1 - e^-sT + p T) / D
   ///
-  /// From h >= 0 and h' >= -p h at one tick, h'' >= -k_1 h - k_2 h' over the period keeps both at the next and h >= 0
-  /// in between, exactly (docs/theory_control.md (C13)). As T vanishes these are the gains above.
+  /// If h >= 0 and h' >= -p h hold at one tick, and h'' >= -k_1 h - k_2 h' (with h and h' at the tick) over the period,
+  /// both hold at the next tick, and h >= 0 in between, exactly (docs/theory_control.md (C13)). As T goes to zero, the
+  /// gains go to those above.
   /// @param period  T [s], > 0, at most 2 / p
   /// @throws std::invalid_argument for another period
   BarrierPoles sampled(Scalar period) const {
@@ -52,7 +53,7 @@ class BarrierPoles {
   Scalar first_, second_;
 };
 
-/// A barrier h(q) >= 0 at the present state; a host may provide its own (docs/theory_control.md (C11)).
+/// A barrier h(q) >= 0 at the present state (docs/theory_control.md (C11)); a host may compute its own.
 template <typename Scalar, int Dofs>
 struct BarrierValue {
   Scalar h;                            ///< in any unit u; negative means violated
@@ -60,15 +61,16 @@ struct BarrierValue {
   Scalar curvature;                    ///< dq^T hess_q h dq [u/s^2]
 };
 
-/// Appends grad_h^T ddq >= -k_1 h - k_2 grad_h^T dq - dq^T hess_h dq + e [RME, Eq. 19, 20; docs/theory_control.md
-/// (C11)].
+/// Appends grad_h^T ddq >= -k_1 h - k_2 grad_h^T dq - dq^T hess_h dq + e [RME, Eq. 19, 20;
+/// docs/theory_control.md (C11), in sampled time (C13)].
 /// @param barrier  h, its gradient and its curvature at the present state
 /// @param dq       joint velocity [rad/s]
 /// @param poles    gains k_1, k_2
-/// @param rows     get one more
-/// @param weight   of a soft barrier; a miss of the row by s [u/s^2] costs weight * s^2
-/// @param error    of the predicted acceleration [rad/s^2]; e is the most that it can take off grad_h^T ddq
-/// @return see ConstraintRows::add; Infeasible: the gradient is zero, and no acceleration gives what the barrier asks
+/// @param rows     get one more row
+/// @param weight   of a soft barrier, > 0: a violation of the row by s [u/s^2] costs weight * s^2
+/// @param error    bound on the error of the predicted acceleration [rad/s^2]; e is the most by which grad_h^T ddq may
+///                 then lie below its prediction
+/// @return see ConstraintRows::add; Infeasible: the gradient is zero, and no acceleration gives what the barrier needs
 template <typename Scalar, int Dofs, int MaxRows>
 Status add_barrier(const BarrierValue<Scalar, Dofs>& barrier, const JointVector<Scalar, Dofs>& dq,
                    const BarrierPoles<Scalar>& poles, ConstraintRows<Scalar, Dofs, MaxRows>& rows,
@@ -79,7 +81,7 @@ Status add_barrier(const BarrierValue<Scalar, Dofs>& barrier, const JointVector<
   return rows.add(barrier.gradient, bound, rows.kFree, weight);
 }
 
-/// A point of the arm in motion, world axes: what half_space() and sphere() need (docs/theory_control.md (C12)).
+/// A point of the arm in motion, world axes: the input of half_space() and sphere() (docs/theory_control.md (C12)).
 template <typename Scalar, int Dofs>
 struct PointMotion {
   Vector3<Scalar> position;                 ///< x [m]
@@ -88,10 +90,10 @@ struct PointMotion {
   Vector3<Scalar> velocity_product;         ///< Jdot_v dq [m/s^2], the acceleration of the point at ddq = 0
 };
 
-/// Keeps a point on the side of a plane to which `normal` points: h = n.x - offset [m].
+/// Keeps a point on the side of a plane to which `normal` points: h = n.x - offset [m] (docs/theory_control.md (C12)).
 /// @param point   of the arm, in motion
-/// @param normal  n, of unit length
-/// @param offset  of the plane from the origin, along n [m]
+/// @param normal  n, of unit length, world axes
+/// @param offset  of the plane from the world's origin, along n [m]
 template <typename Scalar, int Dofs>
 BarrierValue<Scalar, Dofs> half_space(const PointMotion<Scalar, Dofs>& point, const Vector3<Scalar>& normal,
                                       Scalar offset) noexcept {
@@ -101,8 +103,8 @@ BarrierValue<Scalar, Dofs> half_space(const PointMotion<Scalar, Dofs>& point, co
 /// The side of a sphere on which a point has to stay.
 enum class SphereSide { Outside, Inside };
 
-/// Keeps a point outside or inside a sphere: h = +-(|x - c|^2 - r^2) / (2 r), which near the surface is the distance to
-/// it [m] and, unlike the distance, is smooth at the centre.
+/// Keeps a point outside or inside a sphere: h = +-(|x - c|^2 - r^2) / (2 r) [m] (docs/theory_control.md (C12)). Near
+/// the surface, h is the distance to it. Unlike the distance, h is smooth at the centre.
 /// @param point   of the arm, in motion
 /// @param center  c [m], world axes
 /// @param radius  r [m], > 0
@@ -112,7 +114,7 @@ BarrierValue<Scalar, Dofs> sphere(const PointMotion<Scalar, Dofs>& point, const 
                                   SphereSide side) noexcept {
   const Scalar sign = side == SphereSide::Outside ? Scalar(1) : Scalar(-1);
   const Vector3<Scalar> away = point.position - center;
-  const Vector3<Scalar> gradient = sign / radius * away;  // by x
+  const Vector3<Scalar> gradient = sign / radius * away;  // grad_x h
   return {sign * (away.squaredNorm() - radius * radius) / (2 * radius), point.jacobian.transpose() * gradient,
           sign / radius * point.velocity.squaredNorm() + gradient.dot(point.velocity_product)};
 }
@@ -127,9 +129,9 @@ struct JointLimitsConfig {
       JointVector<Scalar, Dofs>::Constant(std::numeric_limits<Scalar>::infinity());
   BarrierPoles<Scalar> poles = {Scalar(8), Scalar(40)};     ///< of h = q - q_min and h = q_max - q
   Scalar velocity_pole = Scalar(40);                        ///< p > 0 [1/s]: ddq <= p (limit - dq)
-  Scalar weight = std::numeric_limits<Scalar>::infinity();  ///< infinite: hard
-  /// T [s] for which a torque is held: rows for sampled time (BarrierPoles::sampled). 0: the paper's, in continuous
-  /// time.
+  Scalar weight = std::numeric_limits<Scalar>::infinity();  ///< of the rows, > 0; infinite: hard
+  /// T [s] for which a torque is held, at most 2 over the faster pole: rows for sampled time (BarrierPoles::sampled).
+  /// 0: the paper's rows for continuous time.
   Scalar period = Scalar(0);
 };
 
@@ -138,10 +140,11 @@ struct JointLimitsConfig {
 ///
 ///     -k_1 (q - q_min) - k_2 dq <= ddq <= k_1 (q_max - q) - k_2 dq,      -p (dq_max + dq) <= ddq <= p (dq_max - dq)
 ///
-/// The tighter bound of each side counts. Where the two pairs contradict each other, which takes a joint that is both
-/// too fast and next to its limit, the position limit wins. In sampled time p is (1 - e^-pT) / T. Each bound is moved
-/// inwards by the error of the prediction, that of a velocity by p dq_max at most: it then asks for ddq = -p dq, a
-/// standstill. An error beyond that may take a joint past its velocity limit, and Ok is returned all the same.
+/// On each side, the tighter bound counts. If the two pairs contradict each other (the joint is too fast and next to
+/// its limit), the position limit wins. In sampled time, (1 - e^-pT) / T takes the place of p. Each bound is moved
+/// inwards by the error of the prediction. A velocity bound is moved by at most p dq_max: it then asks for ddq = -p dq,
+/// which brings the joint to a standstill. A larger error may take a joint beyond its velocity limit; append() returns
+/// Ok even then.
 template <typename Scalar, int Dofs>
 class JointLimits {
  public:
@@ -151,11 +154,11 @@ class JointLimits {
   /// Appends Dofs rows on ddq [rad/s^2], joint 0 first.
   /// @param q      joint position [rad]
   /// @param dq     joint velocity [rad/s]
-  /// @param rows   get Dofs more
-  /// @param error  of the predicted accelerations [rad/s^2]
-  /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; CapacityExceeded: then none has been added.
-  ///         Infeasible: the error leaves a joint no acceleration that is sure to keep both its position limits, and
-  ///         its row asks for the middle of the two bounds; all rows have been added
+  /// @param rows   get Dofs more rows
+  /// @param error  bound on the error of the predicted accelerations [rad/s^2]
+  /// @return Ok; NonFiniteInput (also for numbers beyond kLargestPlausible) or CapacityExceeded: no row has been added;
+  ///         Infeasible: with this error, no acceleration of some joint is sure to keep both its position limits. Then
+  ///         its row asks for the middle of the two bounds, and all rows have been added
   template <int MaxRows>
   Status append(const JointVector<Scalar, Dofs>& q, const JointVector<Scalar, Dofs>& dq,
                 ConstraintRows<Scalar, Dofs, MaxRows>& rows,
@@ -199,11 +202,11 @@ Status JointLimits<Scalar, Dofs>::append(const JointVector<Scalar, Dofs>& q, con
       lower = upper = (lower + upper) / 2;
       all = Status::Infeasible;
     }
-    // A bound that an error has turned round would drive the joint, to any velocity: it stops at standstill.
+    // A bound that the error has moved past standstill would drive the joint the other way: it stops at standstill.
     const Scalar stop = -config_.velocity_pole * dq[j], room = config_.velocity_pole * config_.velocity_limit[j];
     const Scalar slowest = stop - std::max(room - error.below[j], Scalar(0));
     const Scalar fastest = stop + std::max(room - error.above[j], Scalar(0));
-    // lower <= upper always; each velocity bound is clamped into the position bounds, then they into each other.
+    // lower <= upper here. The velocity bounds are clamped into the position bounds, then the lower to the upper one.
     const Scalar highest = std::max(std::min(upper, fastest), lower);
     const Status status = rows.add_axis(j, std::min(std::max(lower, slowest), highest), highest, config_.weight);
     if (status != Status::Ok) return status;

@@ -7,12 +7,11 @@
 
 namespace rme {
 
-/// Up to MaxRows two-sided rows `lower <= a x <= upper` (docs/theory_control.md (C1)), a bound being infinite where a
-/// side is free. One row has two sides, since both limits of a joint have the same gradient and are never active
-/// together.
+/// Up to MaxRows two-sided rows `lower <= a x <= upper` (docs/theory_control.md (C1)). A free side has an infinite
+/// bound. A row has two sides because both limits of a joint have the same gradient and are never active together.
 ///
-/// A row with a = 0 constrains nothing, and is refused where its bounds leave out zero. A row is hard, or soft with a
-/// weight w: then it may be missed by a slack s, s >= 0, that costs w s^2.
+/// A row with a = 0 constrains nothing; it is refused if zero is not within its bounds. A row is hard, or soft with a
+/// weight w: a soft row may be violated by a slack s >= 0, at the cost w s^2.
 template <typename Scalar, int Size, int MaxRows>
 class ConstraintRows {
  public:
@@ -23,31 +22,33 @@ class ConstraintRows {
     Vector a;             ///< Size x 1
     Scalar lower;         ///< of a x; -infinity for none
     Scalar upper;         ///< of a x; infinity for none
-    Scalar weight;        ///< w; infinite for a hard row
+    Scalar weight;        ///< w > 0; infinite for a hard row
     Scalar squared_norm;  ///< |a|^2
     int axis;             ///< j where a = e_j, else -1
   };
 
-  static constexpr Scalar kFree = std::numeric_limits<Scalar>::infinity();  ///< the bound of a side without one
-  static constexpr Scalar kHard = std::numeric_limits<Scalar>::infinity();  ///< the weight of a row without slack
+  static constexpr Scalar kFree = std::numeric_limits<Scalar>::infinity();  ///< upper bound of a free side
+  static constexpr Scalar kHard = std::numeric_limits<Scalar>::infinity();  ///< weight of a hard row
 
   /// Appends lower <= a x <= upper.
   /// @param a       Size x 1
   /// @param lower   -infinity for none
   /// @param upper   kFree for none
-  /// @param weight  w > 0 [cost per squared unit of a x]; kHard for none
-  /// @return Ok; NonFiniteInput for a NaN or an infinite a; Infeasible for lower > upper, and for a = 0 with bounds
-  ///         that leave out zero; CapacityExceeded. Only after Ok has the row been added.
+  /// @param weight  w > 0 [cost per squared unit of a x]; kHard for a hard row
+  /// @return Ok: the row has been added; otherwise it has not. NonFiniteInput for a NaN, an infinite a or |a|^2, or a
+  ///         weight that is not above 0; Infeasible for lower > upper, lower = infinity or upper = -infinity, and for
+  ///         a = 0 if zero is not within the bounds; CapacityExceeded
   Status add(const Vector& a, Scalar lower, Scalar upper = kFree, Scalar weight = kHard) noexcept {
     return add({a, lower, upper, weight, a.squaredNorm(), -1});
   }
-  /// Appends lower <= x_axis <= upper: as add() with a = e_axis, 0 <= axis < Size, and cheaper to use.
+  /// Appends lower <= x_axis <= upper, 0 <= axis < Size: the same as add() with a = e_axis, and Cpic needs less time
+  /// for it.
   Status add_axis(int axis, Scalar lower, Scalar upper = kFree, Scalar weight = kHard) noexcept {
     return add({Vector::Unit(axis), lower, upper, weight, Scalar(1), axis});
   }
   void clear() noexcept { size_ = 0; }  ///< removes all rows
 
-  int size() const noexcept { return size_; }  ///< rows that were added, at most MaxRows
+  int size() const noexcept { return size_; }  ///< number of rows, at most MaxRows
   /// Row i in the order of add(), 0 <= i < size().
   const Row& operator[](int i) const noexcept { return rows_[static_cast<std::size_t>(i)]; }
 

@@ -18,34 +18,35 @@
 
 namespace rme {
 
-/// Settings of Cpic; the torque limits are the arm's and have no default. Together they set the range of the cost's
-/// weights, max(1, l, eps^-1/2) / min(eps^-1/2, sigma_0 min(1, l)), with sigma_0 = null_space.clearance. Above 2e-3 of
-/// the inverse machine epsilon, 9e12 in double and 1.7e4 in float, rows that can be kept would be called infeasible,
-/// and the constructor refuses. In float, l = 1 allows eps down to 9e-6, and eps = 1e-3 an l down to 0.1.
+/// Settings of Cpic; the torque limits are the arm's and have to be set. With sigma_0 = null_space.clearance, the
+/// weights in the root of the cost span a range of max(1, l, eps^-1/2) / min(eps^-1/2, sigma_0 min(1, l)). The
+/// constructor refuses a range above 2e-3 / machine epsilon (9e12 in double, 1.7e4 in float): rows that can be kept
+/// could then be called infeasible. In float, l = 1 allows eps down to 9e-6, and eps = 1e-3 allows l down to 0.1.
 template <typename Scalar, int Dofs>
 struct CpicConfig {
   JointVector<Scalar, Dofs> torque_limit = JointVector<Scalar, Dofs>::Zero();  ///< |tau| <= this [N m], > 0
-  /// eps > 0 [1/m^2]: what a null-space torque of 1 N m costs against a task force error of 1 N, squared. Small: the
-  /// constraints use up the null space before they disturb the task.
+  /// eps > 0 [1/m^2]: a null-space torque that is 1 N m off tau_0 costs eps times as much as a task force error of 1 N.
+  /// If eps is small, the constraints use up the null space before they disturb the task.
   Scalar null_space_weight = Scalar(1e-3);
-  /// l > 0 [m]: a moment error of 1 N m counts as a force error of 1 / l newton. 1 is the paper's cost. About the size
-  /// of the hand keeps a constraint on its position from being met by swinging it round the wrist.
+  /// l > 0 [m]: a moment error of 1 N m counts as a force error of 1 / l newton. 1 is the paper's cost. With l about
+  /// the size of the hand, CPIC does not keep a constraint on the hand's position by swinging the hand about the wrist.
   Scalar moment_arm = Scalar(1);
   NullSpaceConfig<Scalar> null_space = NullSpaceConfig<Scalar>();  ///< near singular poses
 };
 
-/// What CPIC needs to know each tick. Units [kg m^2], [N m]; world axes.
+/// What CPIC needs to know each tick; J, M and the bias have no default. World axes.
 template <typename Scalar, int Dofs>
 struct CpicInput {
   Jacobian<Scalar, Dofs> jacobian;        ///< J, 6xDofs
-  JointMatrix<Scalar, Dofs> mass_matrix;  ///< M, symmetric positive definite
-  /// h in the prediction M ddq = tau - h on which the constraints rest: C dq + g less all torques that act beside tau
-  /// (the arm's own gravity compensation, an external torque that is known). Nominal: the payload is not in it.
+  JointMatrix<Scalar, Dofs> mass_matrix;  ///< M [kg m^2], symmetric positive definite
+  /// h_bias [N m] in the prediction M ddq = tau - h_bias of the constraints: C dq + g minus all torques that act beside
+  /// tau (the arm's own gravity compensation, a known external torque). In the published controller it is nominal,
+  /// without the payload.
   JointVector<Scalar, Dofs> bias;
-  Wrench<Scalar> wrench;  ///< F_c, the task force asked for
-  /// tau_0, of which only the part without a wrench, N tau_0, is used.
+  Wrench<Scalar> wrench;  ///< F_c, the desired task force [N, N m]
+  /// tau_0 [N m] of (C5). Only N tau_0, the part without a wrench, is used.
   JointVector<Scalar, Dofs> null_torque = JointVector<Scalar, Dofs>::Zero();
-  /// Torque that the host adds to the command afterwards (payload compensation). It takes its share of the limits:
+  /// Torque that the host adds to the command afterwards (payload compensation) [N m]. It counts towards the limits:
   /// |tau + other_torque| <= torque_limit.
   JointVector<Scalar, Dofs> other_torque = JointVector<Scalar, Dofs>::Zero();
 };
@@ -53,17 +54,18 @@ struct CpicInput {
 /// Each tick solves
 ///
 ///     min  |W (J^+T tau - F_c)|^2 + eps |N (tau - tau_0)|^2,   W = diag(1, 1, 1, 1/l, 1/l, 1/l)
-///     s.t. lower_i <= grad_i^T ddq <= upper_i,   M ddq = tau - h,   |tau + other_torque| <= torque_limit
+///     s.t. lower_i <= grad_i^T ddq <= upper_i,   M ddq = tau - h_bias,   |tau + other_torque| <= torque_limit
 ///
-/// [RME, Eq. 21 to 27, for redundant arms; docs/theory_control.md (C1 to C6)]. The unconstrained answer is J^T F_c + N
-/// tau_0; the inverse of the cost's Hessian is (J^T W^-2 J + N / eps) / 2, of which a root is known without factorising
-/// it. Rows come from barriers.hpp or the host, in the same order each tick, so that the last active set is a good
-/// first guess.
+/// [RME, Eq. 21 to 27, for redundant arms; docs/theory_control.md (C1 to C6)]. The unconstrained answer is
+/// J^T F_c + N tau_0. The inverse of the cost's Hessian is (J^T W^-2 J + N / eps) / 2; its root is known without
+/// factorising it. Rows come from barriers.hpp or the host. They should come in the same order each tick, so that the
+/// last active set is a good start.
 ///
-/// Near singular poses N is damped (null_space.hpp): torques whose wrench J is about to lose become cheap to use for the
-/// constraints, and N tau_0 may disturb the hand, |J N| <= lambda / 2. J^T F_c is never damped.
+/// Near singular poses N is damped (null_space.hpp): torques that make almost no wrench there cost little when a
+/// constraint needs them, and N tau_0 may disturb the hand, |J N| <= lambda / 2. J^T F_c is never damped.
 ///
 /// Real time: no allocation, a bounded number of iterations.
+/// @tparam Dofs     number of joints, >= 6
 /// @tparam MaxRows  most rows in a tick
 template <typename Scalar, int Dofs, int MaxRows = 28>
 class Cpic {
@@ -71,29 +73,29 @@ class Cpic {
   using Rows = ConstraintRows<Scalar, Dofs, MaxRows>;  ///< on ddq
   using Vector = JointVector<Scalar, Dofs>;            ///< joint torque [N m] or acceleration [rad/s^2]
 
-  /// @throws std::invalid_argument naming the field out of range, or those that are so together
+  /// @throws std::invalid_argument naming the field out of range, or the fields that are out of range together
   explicit Cpic(const CpicConfig<Scalar, Dofs>& config);
 
   /// @param input  dynamics, task force and posture of this tick
-  /// @param rows   bounds on grad^T ddq; gradient and bounds in any unit that the barrier's h has
+  /// @param rows   bounds on grad^T ddq; for a barrier h in the unit u, gradients in u/rad and bounds in u/s^2
   /// @return Ok: every row and limit holds to ActiveSetSolver::kTolerance, relative to the terms of the row written for
   ///         tau; Infeasible: the hard rows cannot all be kept within the torque limits, torque() violates them least;
-  ///         NotConverged: torque() is only known to respect the limits. After NonFiniteInput (also for numbers beyond
-  ///         kLargestPlausible), or NotPositiveDefinite for M, nothing has changed and torque() is the last one; where
-  ///         it was the rows that overflowed, the next update starts without an active set.
+  ///         NotConverged: torque() is only known to keep the torque limits. After NonFiniteInput (also for numbers
+  ///         beyond kLargestPlausible), or NotPositiveDefinite for M, torque() is the last one and nothing has changed,
+  ///         with one exception: if the solution overflowed, multipliers, slacks and active set are cleared.
   Status update(const CpicInput<Scalar, Dofs>& input, const Rows& rows) noexcept;
-  /// Forgets torque and active set.
+  /// Forgets the active set; all torques and accelerations become zero.
   void reset() noexcept;
 
   const Vector& torque() const noexcept { return torque_; }  ///< tau* [N m]
-  /// M^-1 (tau* - h) [rad/s^2]: the acceleration on which the rows were held.
+  /// M^-1 (tau* - h_bias) [rad/s^2]: the predicted acceleration, which keeps the rows.
   const Vector& acceleration() const noexcept { return acceleration_; }
   const Vector& unconstrained_torque() const noexcept { return unconstrained_; }  ///< J^T F_c + N tau_0 [N m]
-  /// lambda_i: >= 0 if row i pushes at its lower bound, <= 0 at its upper, 0 if inactive.
+  /// lambda_i [cost per unit of the row]: >= 0 if row i is active at its lower bound, <= 0 at its upper, 0 if inactive.
   Scalar multiplier(int row) const noexcept { return solver_.multiplier(row); }
   /// The same for the torque limits of a joint.
   Scalar torque_multiplier(int joint) const noexcept { return solver_.box_multiplier(joint); }
-  /// By how much the bound of a soft row, or of a hard one in an infeasible set, is missed.
+  /// By how much a soft row, or after Infeasible a hard one, is violated [unit of the row], >= 0.
   Scalar slack(int row) const noexcept { return solver_.slack(row); }
   /// Rows and torque limits that were active in the last update().
   int active_count() const noexcept { return solver_.active_count(); }
@@ -149,7 +151,8 @@ void Cpic<Scalar, Dofs, MaxRows>::reset() noexcept {
 }
 
 /// B with B^T B = (J^T W^-2 J + N / eps) / 2 (docs/theory_control.md (C6)): the rows of W^-1 J and of Z^T / sqrt(eps),
-/// N = Z Z^T, over sqrt(2). Near singular poses these are six more than joints, and a QR factorisation leaves as many.
+/// divided by sqrt(2), where N = Z Z^T. Where N is damped, these are Dofs + 6 rows, and a QR factorisation reduces them
+/// to Dofs.
 template <typename Scalar, int Dofs, int MaxRows>
 auto Cpic<Scalar, Dofs, MaxRows>::cost_root(const Jacobian<Scalar, Dofs>& jacobian,
                                             const NullSpace<Scalar, Dofs>& null_space) const noexcept ->
@@ -197,7 +200,7 @@ Status Cpic<Scalar, Dofs, MaxRows>::update(const CpicInput<Scalar, Dofs>& input,
     const Vector a =
         row.axis < 0 ? detail::product(inverse_mass, row.a) : Vector(detail::column(inverse_mass, row.axis));
     const Scalar shift = detail::dot(a, input.bias);
-    // The row was good, so that only an overflow can spoil it.
+    // The row was valid, so only an overflow can make it invalid.
     if (torque_rows_.add(a, row.lower + shift, row.upper + shift, row.weight) != Status::Ok)
       return Status::NonFiniteInput;
   }

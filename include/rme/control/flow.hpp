@@ -1,12 +1,12 @@
 #pragma once
-/// The value of a dynamical system at one point: the velocity that it asks for, and its potential.
+/// The value of a dynamical system at one point: the desired velocity, and the potential.
 #include <rme/core/types.hpp>
 #include <type_traits>
 
 namespace rme {
 
-/// The value of a dynamical system at one x: of xdot = f(x) for positions x [m], f in m/s; or of omega = f(R) for
-/// orientations R, f in rad/s (docs/theory_control.md (C16)).
+/// The value of a dynamical system at one point (f and V in docs/theory_control.md (C16, C17)): of xdot = f(x) for
+/// positions x [m], with f in m/s, or of omega = f(R) for orientations R, with f in rad/s.
 template <typename Scalar>
 struct Flow {
   Vector3<Scalar> velocity = Vector3<Scalar>::Zero();      ///< f(x), world axes
@@ -14,8 +14,9 @@ struct Flow {
   Scalar potential = Scalar(0);                            ///< V(x) >= 0 [m^2/s] or [rad^2/s]
 };
 
-/// The flow of any system at x [m], world axes. A system is a callable x -> Flow, or x -> Vector3 for one without a known
-/// potential: then none of f counts as conservative, and its power counts as supplied (passivity_monitor.hpp).
+/// The flow of any system at x [m], world axes. A system is a callable x -> Flow, or x -> Vector3 if it has no known
+/// potential. In the second case no part of f counts as conservative, and the power of f counts as supplied
+/// (passivity_monitor.hpp).
 template <typename System, typename Scalar>
 Flow<Scalar> flow_at(const System& system, const Vector3<Scalar>& x) noexcept {
   using Answer = std::decay_t<decltype(system(x))>;

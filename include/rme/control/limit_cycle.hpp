@@ -12,18 +12,20 @@ template <typename Scalar>
 struct LimitCycleConfig {
   Vector3<Scalar> center = Vector3<Scalar>::Zero();  ///< c [m], world axes
   Vector3<Scalar> normal =
-      Vector3<Scalar>::UnitX();      ///< n, of any length > 0; the cycle turns about it by the right hand
+      Vector3<Scalar>::UnitX();      ///< n, any length > 0, world axes; the motion is right-handed about n
   Scalar radius = Scalar(0.1);       ///< r > 0 [m]
-  Scalar angular_speed = Scalar(1);  ///< w [rad/s]; negative turns the other way
-  Scalar gain = Scalar(2);           ///< k > 0 [1/s], how fast the plane and the circle attract
+  Scalar angular_speed = Scalar(1);  ///< w [rad/s]; negative: left-handed about n
+  Scalar gain = Scalar(2);           ///< k > 0 [1/s], how fast f leads to the plane and the circle
 };
 
 /// f(x) = w n x p - k (|p|^2 - r^2) / (|p|^2 + r^2) p - k (n.e) n,   e = x - c, p = e - (n.e) n
 ///
-/// [m/s] (docs/theory_control.md (C24)). The circle |p| = r in the plane is the stable limit cycle; f is smooth
-/// everywhere, the centre included. All but the first term is -grad V, with
-/// V = k (|p|^2 / 2 - r^2 / 2 - r^2 log((|p|^2 + r^2) / (2 r^2))) + k (n.e)^2 / 2, zero on the cycle. The first term
-/// turns, and has no potential.
+/// [m/s] (docs/theory_control.md (C24)), with n of length 1. The circle |p| = r in the plane is the stable limit cycle;
+/// f is smooth everywhere, also at the centre. The second and third terms are -grad V, with
+///
+///     V = k (|p|^2 / 2 - r^2 / 2 - r^2 log((|p|^2 + r^2) / (2 r^2))) + k (n.e)^2 / 2      [m^2/s]
+///
+/// which is zero on the cycle. The first term circles, and has no potential.
 template <typename Scalar>
 class LimitCycle {
  public:

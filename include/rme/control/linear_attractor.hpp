@@ -38,7 +38,7 @@ class LinearAttractor {
     Flow<Scalar> flow;
     flow.velocity = -k / root * e;
     flow.conservative = flow.velocity;
-    // (v^2 / k) (root - 1), written without the difference, which loses all digits near the target.
+    // (v^2 / k) (root - 1), written without the difference, which would lose all digits near the target.
     flow.potential = k * e.squaredNorm() / (root + Scalar(1));
     return flow;
   }

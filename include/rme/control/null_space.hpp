@@ -1,5 +1,5 @@
 #pragma once
-/// The joint torques that make no wrench, and how near the arm is to a pose where a wrench is lost.
+/// The joint torques that make no wrench, and how far the pose is from a singular one.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,17 +16,17 @@ namespace rme {
 /// Settings of NullSpace.
 template <typename Scalar>
 struct NullSpaceConfig {
-  /// sigma_0 > 0: damping sets in where clearance() falls below. The Jacobian's rows carry metres and radians; a Panda
-  /// has a clearance of 0.15 in its ready pose.
+  /// sigma_0 > 0: N is damped where clearance() is below this. The unit is that of J's singular values, with J in
+  /// metres and radians; a Panda has a clearance of 0.15 in its ready pose.
   Scalar clearance = Scalar(0.02);
   Scalar damping = Scalar(0.02);  ///< lambda_0 > 0 at a singular pose, in the unit of J's singular values
 };
 
-/// The projector N = I - J^T (J J^T + lambda^2 I)^-1 J onto joint torques without a wrench (docs/theory_control.md
-/// (C7)). Away from singular poses lambda = 0: N is exactly the orthogonal projector onto the null space of J, zero for
-/// six joints. Where the clearance sigma falls below sigma_0, lambda = lambda_0 (1 - (sigma / sigma_0)^2): the
-/// directions in which J is about to lose a wrench then count partly as null space, J N != 0, and N stays bounded and a
-/// continuous function of J, with eigenvalues in [0, 1].
+/// The projector N = I - J^T (J J^T + lambda^2 I)^-1 J onto joint torques without a wrench
+/// (docs/theory_control.md (C7)). Away from singular poses lambda = 0: N is exactly the orthogonal projector onto the
+/// null space of J, zero for six joints. Where the clearance sigma is below sigma_0, N is damped with
+/// lambda = lambda_0 (1 - (sigma / sigma_0)^2). Torques that make almost no wrench there count partly as null space, so
+/// J N != 0. N is a continuous function of J, with eigenvalues in [0, 1].
 ///
 /// @tparam Dofs  number of joints, >= 6
 template <typename Scalar, int Dofs>
@@ -40,13 +40,13 @@ class NullSpace {
     detail::require_positive(config.damping, "NullSpaceConfig::damping", "> 0");
   }
 
-  /// Computes N.
+  /// Computes N of the Jacobian J, 6xDofs.
   /// @return Ok, or NonFiniteInput, also for numbers beyond kLargestPlausible: N is then as it was
   Status update(const Jacobian<Scalar, Dofs>& jacobian) noexcept;
 
-  const JointMatrix<Scalar, Dofs>& projector() const noexcept { return projector_; }  ///< N, DofsxDofs
-  /// Z with N = Z Z^T, DofsxDofs. The first six columns are zero unless N is damped. Exact to rounding in all of N's
-  /// eigenvalues, of which the entries of N lose the small ones.
+  const JointMatrix<Scalar, Dofs>& projector() const noexcept { return projector_; }  ///< N, DofsxDofs; zero at first
+  /// Z with N = Z Z^T, DofsxDofs. The first six columns are zero unless N is damped. Z keeps small eigenvalues of N
+  /// that rounding takes from the entries of N.
   const JointMatrix<Scalar, Dofs>& root() const noexcept { return root_; }
   /// sigma = |J^+|_F^-1, between sigma_min / sqrt(6) and sigma_min, J's smallest singular value; 0 at a singular pose.
   Scalar clearance() const noexcept { return clearance_; }
@@ -66,8 +66,8 @@ class NullSpace {
 template <typename Scalar, int Dofs>
 Status NullSpace<Scalar, Dofs>::update(const Jacobian<Scalar, Dofs>& jacobian) noexcept {
   if (!plausible(jacobian)) return Status::NonFiniteInput;
-  // J^T = Q [R; 0]. Not through J J^T, which would square the condition number: N is divided by a small weight
-  // afterwards.
+  // J^T = Q [R; 0]. J J^T would square the condition number, and its error would grow further when N is divided by the
+  // small null-space weight.
   Eigen::Matrix<Scalar, Dofs, 6> a;
   for (int i = 0; i < Dofs; ++i)
     for (int k = 0; k < 6; ++k) a(i, k) = jacobian(k, i);
@@ -85,7 +85,7 @@ Status NullSpace<Scalar, Dofs>::update(const Jacobian<Scalar, Dofs>& jacobian) n
       inverse_squared += column[i] * column[i];
     }
   }
-  // Beyond what the scalar resolves (or for NaN from 0 / 0) the pose is singular.
+  // Where the inverse overflows (or is NaN from 0 / 0) the pose counts as singular.
   clearance_ = inverse_squared < Scalar(1) / std::numeric_limits<Scalar>::min() ? Scalar(1) / std::sqrt(inverse_squared)
                                                                                 : Scalar(0);
 
@@ -98,8 +98,8 @@ Status NullSpace<Scalar, Dofs>::update(const Jacobian<Scalar, Dofs>& jacobian) n
     set_root(m, unit, a);
   }
   if (damping_ > 0) {
-    // In Q's first six columns N is lambda^2 (R R^T + lambda^2 I)^-1 = (lambda C^-T)(lambda C^-T)^T, C the Cholesky
-    // factor.
+    // In Q's first six columns N is lambda^2 (R R^T + lambda^2 I)^-1 = (lambda C^-T)(lambda C^-T)^T, with the Cholesky
+    // factor C of R R^T + lambda^2 I.
     Matrix6<Scalar> R = Matrix6<Scalar>::Zero(), identity = R;
     for (int i = 0; i < 6; ++i) {
       R(i, i) = diagonal[i];

@@ -15,10 +15,10 @@ struct OrientationAttractorConfig {
   Scalar gain = Scalar(2);                                                   ///< k > 0 [1/s]
 };
 
-/// omega = -k sin(theta) u [rad/s] (docs/theory_control.md (C25)) for the rotation (theta, u), world axes, that leads
-/// from the target to the present orientation. It is -grad V of V = k (1 - cos theta), and smooth for all orientations.
-/// In terms of that rotation's quaternion (w, v) it is -2 k w v, the same for q and -q. Beyond 90 degrees it grows
-/// weaker, and 180 degrees is an unstable equilibrium.
+/// omega = -k sin(theta) u [rad/s] (docs/theory_control.md (C25)) for the rotation by the angle theta about the unit
+/// axis u, world axes, that leads from the target to the present orientation. It is -grad V of V = k (1 - cos theta),
+/// and smooth for all orientations. With the quaternion (w, v) of that rotation it is -2 k w v, the same for both signs
+/// of the quaternion. Beyond 90 degrees it becomes weaker, and 180 degrees is an unstable equilibrium.
 template <typename Scalar>
 class OrientationAttractor {
  public:
@@ -32,7 +32,7 @@ class OrientationAttractor {
   }
 
   /// @param rotation  R, end-effector axes to world axes
-  /// @return velocity: the angular velocity wanted [rad/s], world axes; potential [rad^2/s]
+  /// @return velocity: the desired angular velocity [rad/s], world axes; potential [rad^2/s]
   Flow<Scalar> operator()(const Matrix3<Scalar>& rotation) const noexcept {
     // R R*^T has sin(theta) u as its skew part and 1 + 2 cos(theta) as its trace.
     const Matrix3<Scalar> error = rotation * config_.target.toRotationMatrix().transpose();

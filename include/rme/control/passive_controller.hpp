@@ -12,15 +12,15 @@ namespace rme {
 /// Damping along and across the motion that the dynamical system asks for.
 template <typename Scalar>
 struct DirectionalDamping {
-  Scalar along;   ///< lambda_1 > 0: also the gain of the driving force lambda_1 f
+  Scalar along;   ///< lambda_1 > 0, also the gain of the driving force lambda_1 f
   Scalar across;  ///< lambda_2 = lambda_3 > 0
-  Scalar blend;   ///< f_0 > 0: below this speed the two merge, since f = 0 has no direction
+  Scalar blend;   ///< f_0 > 0: far below this speed D is about lambda_2 I, since f = 0 has no direction
 };
 
 /// D = lambda_2 I + (lambda_1 - lambda_2) f f^T / (|f|^2 + f_0^2) (docs/theory_control.md (C15)).
 ///
-/// For |f| >> f_0 it is V diag(lambda_1, lambda_2, lambda_2) V^T with the first axis of V along f [RME, Eq. 32]; the
-/// other two eigenvalues are equal, so that the other axes need not be chosen. At f = 0 it is lambda_2 I. It is a smooth
+/// For |f| >> f_0 it is V diag(lambda_1, lambda_2, lambda_2) V^T with the first axis of V along f [RME, Eq. 32]. The
+/// other two eigenvalues are equal, so the other two axes make no difference. At f = 0 it is lambda_2 I. D is a smooth
 /// function of f, symmetric, with eigenvalues between lambda_1 and lambda_2.
 /// @param f        [m/s] or [rad/s], world axes
 /// @param damping  lambda_1, lambda_2 [N s/m] or [N m s/rad], f_0 [m/s] or [rad/s]
@@ -42,10 +42,11 @@ struct PassiveControllerConfig {
 
 /// F_c = lambda_1 f(x) - D(x) xdot (docs/theory_control.md (C16)), for position and orientation alike.
 ///
-/// The paper writes -D (xdot - f) [RME, Eq. 31]; its proof needs D f = lambda_1 f (Eq. 33), which with this D holds only
-/// for |f| >> f_0. Written as above the proof holds for all f: with S = 1/2 dq^T M dq + potential_energy(), and no torque
-/// beside J^T F_c and gravity's, dS/dt = xdot^T F_ext - dissipated_power() + injected_power()
-/// (docs/theory_control.md (C17)).
+/// The paper has -D (xdot - f) [RME, Eq. 31]; its proof needs D f = lambda_1 f (Eq. 33), which with this D holds only
+/// for |f| >> f_0. With the F_c above, the proof holds for all f: if S = 1/2 dq^T M dq + potential_energy(), and the
+/// only torques are J^T F_c and gravity compensation, then (docs/theory_control.md (C17))
+///
+///     dS/dt = xdot^T F_ext - dissipated_power() + injected_power()
 template <typename Scalar>
 class PassiveController {
  public:
@@ -55,15 +56,15 @@ class PassiveController {
   /// @param position     the flow of the translational system at the present position [m/s], world axes
   /// @param orientation  the flow of the rotational system at the present orientation [rad/s], world axes
   /// @param twist        present velocity of the end effector [m/s, rad/s], world axes
-  /// @return Ok, or NonFiniteInput: nothing has changed
+  /// @return Ok, or NonFiniteInput (also if a result overflows): nothing has changed
   Status update(const Flow<Scalar>& position, const Flow<Scalar>& orientation, const Twist<Scalar>& twist) noexcept;
 
   const Wrench<Scalar>& wrench() const noexcept { return wrench_; }  ///< F_c [N, N m], world axes
-  /// lambda_1 V over both systems [J]: the potential part of the storage function [RME, Eq. 34].
+  /// lambda_1 V, summed over both systems [J]: the potential part of the storage function [RME, Eq. 34].
   Scalar potential_energy() const noexcept { return potential_energy_; }
-  /// lambda_1 xdot^T (f + grad V) [W]: power of the parts of f without a potential, as a cycle's turning.
+  /// lambda_1 xdot^T (f + grad V) [W]: power of the parts of f without a potential, such as a limit cycle's circling.
   Scalar injected_power() const noexcept { return injected_power_; }
-  /// xdot^T D xdot >= 0 [W]
+  /// xdot^T D xdot >= 0 [W], summed over both systems.
   Scalar dissipated_power() const noexcept { return dissipated_power_; }
 
  private:

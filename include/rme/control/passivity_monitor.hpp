@@ -1,5 +1,5 @@
 #pragma once
-/// The energy balance of a controlled arm: what is stored against what was supplied, each tick.
+/// The energy balance of a controlled arm in each tick: stored against supplied energy.
 #include <cmath>
 #include <rme/control/detail/compensated_sum.hpp>
 #include <rme/core/plausible.hpp>
@@ -9,8 +9,8 @@
 
 namespace rme {
 
-/// 1/2 dq^T M dq [J], part of S in docs/theory_control.md (C17). For six joints it is the 1/2 xdot^T M_x xdot of
-/// [RME, Eq. 34]; a redundant arm also stores energy in motions that leave the hand where it is.
+/// 1/2 dq^T M dq [J], a part of S in docs/theory_control.md (C17). For six joints it is the 1/2 xdot^T M_x xdot of
+/// [RME, Eq. 34]; a redundant arm also has kinetic energy in motions that do not move the hand.
 /// @param mass_matrix  M, DofsxDofs [kg m^2]
 /// @param dq           joint velocity [rad/s]
 template <typename Scalar, int Dofs>
@@ -18,18 +18,19 @@ Scalar kinetic_energy(const JointMatrix<Scalar, Dofs>& mass_matrix, const JointV
   return dq.dot(mass_matrix * dq) / 2;
 }
 
-/// Keeps the books of the storage function S = kinetic + lambda_1 V [RME, Eq. 34] and of the energy supplied to the
-/// system from outside. Passive means that S grows by no more than what was supplied [RME, Eq. 35;
-/// docs/theory_control.md (C17)]: residual() never rises, but for what the controller puts in by holding its torque for
-/// a tick (C18), which vanishes with the period.
+/// Balances the storage function S = kinetic energy + lambda_1 V [RME, Eq. 34] against the energy supplied to the
+/// system from outside. Passive means that S grows by no more than the supplied energy [RME, Eq. 35;
+/// docs/theory_control.md (C17)]: residual() never rises, except by what the controller puts in by holding its torque
+/// for a tick (C18). This part goes to zero with the period.
 ///
-/// Supply enters as work or as power. A torque that was held since the last tick has done the work tau^T (q - q_last),
-/// exactly: update_with_work(). Power is integrated by the trapezoidal rule. Its error goes with the period's square
-/// where the power is smooth, and with the period where the torque is held (C19). Sums are compensated, so that float
-/// loses no small terms.
+/// The host gives the supply as work or as power. A torque that was held since the last tick has done exactly the work
+/// tau^T (q - q_last): update_with_work(). update() integrates power by the trapezoidal rule. Its error is in
+/// proportion to the square of the period if the power is smooth, and to the period if the torque is held (C19). Sums
+/// are compensated, so that float loses no small terms.
 ///
-/// The host chooses what counts as supplied: the power of the external wrench, xdot^T (F_ext + dF_mm); with
-/// PassiveController also its injected_power(), and dq^T tau of every torque beside J^T F_c: null space, constraints.
+/// The host chooses what counts as supplied: the power xdot^T (F_ext + dF_mm) of the external wrench and of the payload
+/// that is not compensated; with PassiveController also its injected_power(), and dq^T tau of every torque beside
+/// J^T F_c, such as those for null space and constraints.
 template <typename Scalar>
 class PassivityMonitor {
  public:
@@ -39,25 +40,25 @@ class PassivityMonitor {
     detail::require_positive(period, "PassivityMonitor::period", "> 0 s");
   }
 
-  /// Enters one tick into the books; the first one opens them.
+  /// Adds one tick to the balance; the first call starts the balance.
   /// @param storage  S [J]
   /// @param power    supplied power [W] at the same instant
-  /// @return Ok, or NonFiniteInput, also for numbers beyond kLargestPlausible: the books stay as they were
+  /// @return Ok, or NonFiniteInput, also for numbers beyond kLargestPlausible: nothing has changed
   Status update(Scalar storage, Scalar power) noexcept;
-  /// The same by the work done since the last tick.
+  /// The same with the work done since the last tick (C18).
   /// @param storage  S [J]
-  /// @param work     supplied since the last update, e.g. tau^T (q - q_last) of a torque held meanwhile [J]; the update
-  ///                 that opens the books takes no notice of it
-  /// @return Ok, or NonFiniteInput, also for numbers beyond kLargestPlausible: the books stay as they were
+  /// @param work     supplied since the last update [J], e.g. tau^T (q - q_last) of a torque that was held; ignored in
+  ///                 the update that starts the balance
+  /// @return Ok, or NonFiniteInput, also for numbers beyond kLargestPlausible: nothing has changed
   Status update_with_work(Scalar storage, Scalar work) noexcept;
-  /// Closes the books: the next update opens new ones. Needed after a change of potential (a new target).
+  /// The next update starts a new balance. Needed after a change of the potential (a new target).
   void reset() noexcept { open_ = false; }
 
   Scalar storage() const noexcept { return storage_; }            ///< S [J]
-  Scalar supplied() const noexcept { return supplied_.value(); }  ///< energy supplied since the books were opened [J]
-  /// S - S(0) - supplied() [J]: minus what was dissipated; never above zero for a passive system.
+  Scalar supplied() const noexcept { return supplied_.value(); }  ///< energy supplied since the balance started [J]
+  /// S - S(0) - supplied() [J]: the dissipated energy with a minus sign; never above zero for a passive system.
   Scalar residual() const noexcept { return open_ ? -supplied_.minus(storage_ - initial_) : Scalar(0); }
-  /// dS/dt less the supplied power, over the last tick [W]: the residual of [RME, Eq. 35], minus xdot^T D xdot.
+  /// dS/dt minus the supplied power, averaged over the last tick [W]. By [RME, Eq. 35] it is -xdot^T D xdot.
   Scalar power_residual() const noexcept { return power_residual_; }
 
  private:

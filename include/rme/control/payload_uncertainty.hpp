@@ -1,5 +1,5 @@
 #pragma once
-/// What an uncertain payload may do to the accelerations on which constraints rest.
+/// By how much an uncertain payload may change the accelerations that the constraints predict.
 #include <algorithm>
 #include <cmath>
 #include <rme/control/prediction_error.hpp>
@@ -16,27 +16,27 @@ namespace rme {
 /// Settings of PayloadUncertainty.
 template <typename Scalar>
 struct PayloadUncertaintyConfig {
-  Scalar deviations = Scalar(3);  ///< k >= 0: so many standard deviations of the payload's torque are allowed for
-  /// From this probability on, 0 to 1, that the hand is empty or holds another object counts as possible.
+  Scalar deviations = Scalar(3);  ///< k >= 0: the error covers k standard deviations of the payload's acceleration
+  /// 0 to 1: an empty hand, or another object, counts as possible if its probability is at least this.
   Scalar likely = Scalar(0.01);
-  Scalar rated_mass = Scalar(3);         ///< of the heaviest object that may be attached [kg], >= 0
-  Scalar rated_distance = Scalar(0.15);  ///< of its centre of mass from the end-effector origin [m], >= 0
+  Scalar rated_mass = Scalar(3);         ///< mass of the heaviest object that may be attached [kg], >= 0
+  Scalar rated_distance = Scalar(0.15);  ///< rho, largest distance of its CoM from the end-effector origin [m], >= 0
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< [m/s^2], world axes
 };
 
-/// Turns a belief about the payload into a torque for CPIC's prediction and an error that its rows allow for
-/// (docs/theory_control.md (C14)). With tau_p(theta) the payload's static torque and A its derivative by theta at the
+/// Turns a belief about the payload into a torque for CPIC's prediction and an error bound for its rows
+/// (docs/theory_control.md (C14)). With the payload's static torque tau_p(theta) and its derivative A by theta at the
 /// mean,
 ///
-///     mean torque  tau_p(mean)              into CpicInput::bias, with its sign turned
+///     mean torque  tau_p(mean)               to be subtracted from CpicInput::bias
 ///     error_j      k sqrt(a_j Sigma a_j^T),  a_j = row j of M^-1 A
 ///
-/// While the hand may be empty, the error also reaches from the mean to no payload. While the object may be another one,
-/// it reaches from the mean to any object up to the rated one. If the belief is right, and to first order, the payload's
-/// part of a joint's acceleration leaves the error with probability erfc(k / sqrt 2) at most, plus `likely` for each
-/// hypothesis left out.
+/// If the hand may be empty, the error also covers the difference between the mean and no payload. If the object may be
+/// another one, it covers the difference between the mean and any object up to the rated one. If the belief is right,
+/// and to first order, the payload's part of a joint's acceleration lies outside the error bound with a probability of
+/// at most erfc(k / sqrt 2), plus `likely` for each hypothesis that is left out.
 ///
-/// Optional: the published controller adds the compensation after CPIC and knows of no payload (Appendix B).
+/// Optional: the published controller adds the compensation after CPIC, and CPIC knows of no payload (Appendix B).
 template <typename Scalar, int Dofs>
 class PayloadUncertainty {
  public:
@@ -49,9 +49,9 @@ class PayloadUncertainty {
   /// @param probability  of the hypotheses, EstimatorState::probability
   /// @param jacobian     J, 6xDofs
   /// @param rotation     R, end-effector axes to world axes
-  /// @param mass_matrix  M, as CPIC is given it
-  /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; NotPositiveDefinite for M: all stays as it
-  /// was
+  /// @param mass_matrix  M [kg m^2], the same as in CpicInput
+  /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; NotPositiveDefinite for M. After both,
+  ///         nothing has changed
   Status update(const PayloadGaussian<Scalar>& belief, const PerHypothesis<Scalar>& probability,
                 const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
                 const JointMatrix<Scalar, Dofs>& mass_matrix) noexcept;
@@ -97,7 +97,7 @@ Status PayloadUncertainty<Scalar, Dofs>::update(const PayloadGaussian<Scalar>& b
   Eigen::Matrix<Scalar, Dofs, 4> weight;  // a, B
   weight.col(0) = jacobian.template topRows<3>().transpose() * config_.gravity;
   weight.template rightCols<3>() = -jacobian.template bottomRows<3>().transpose() * (skew(config_.gravity) * rotation);
-  const Eigen::Matrix<Scalar, Dofs, 4> pull = cholesky.solve(weight);  // the accelerations that they make
+  const Eigen::Matrix<Scalar, Dofs, 4> pull = cholesky.solve(weight);  // M^-1 [a, B]
   const Vector per_mass = pull.col(0) + pull.template rightCols<3>() * com;
   const Vector mean = mass * per_mass;
   if (!plausible(mean)) return Status::NotPositiveDefinite;  // M positive by rounding alone

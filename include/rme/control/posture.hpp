@@ -6,7 +6,7 @@
 
 namespace rme {
 
-/// Settings of Posture; a zero stiffness leaves damping alone.
+/// Settings of Posture, the same for all joints but for the rest pose; with zero stiffness there is only damping.
 template <typename Scalar, int Dofs>
 struct PostureConfig {
   JointVector<Scalar, Dofs> rest = JointVector<Scalar, Dofs>::Zero();  ///< q_0 [rad]

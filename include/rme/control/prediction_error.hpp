@@ -1,5 +1,5 @@
 #pragma once
-/// How far the arm's acceleration may be from the one that was predicted.
+/// How far the arm's acceleration may be from its prediction.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/plausible.hpp>
@@ -9,12 +9,12 @@
 
 namespace rme {
 
-/// A bound on the error of a predicted joint acceleration, each side for itself:
+/// A bound on the error of a predicted joint acceleration, for each side separately:
 ///
 ///     predicted - below <= ddq <= predicted + above      [rad/s^2], both >= 0
 ///
-/// barriers.hpp moves the bounds of its rows inwards by it, so that they hold although the prediction is wrong
-/// (E in docs/theory_control.md (C13)).
+/// barriers.hpp moves the bounds of its rows inwards by this error, so that they hold although the prediction is wrong
+/// (E in docs/theory_control.md (C13)). Zero by default.
 template <typename Scalar, int Dofs>
 struct AccelerationError {
   JointVector<Scalar, Dofs> below;  ///< [rad/s^2], >= 0
@@ -24,7 +24,7 @@ struct AccelerationError {
   /// Both in [rad/s^2], >= 0.
   AccelerationError(const JointVector<Scalar, Dofs>& below_, const JointVector<Scalar, Dofs>& above_) noexcept
       : below(below_), above(above_) {}
-  /// The most by which gradient . ddq may lie below its prediction, >= 0.
+  /// The most by which gradient . ddq may lie below its prediction, >= 0: E of (C13).
   /// @param gradient  grad_q h [u/rad], Dofs; the result is in u/s^2
   Scalar along(const JointVector<Scalar, Dofs>& gradient) const noexcept {
     return gradient.cwiseMax(Scalar(0)).dot(below) - gradient.cwiseMin(Scalar(0)).dot(above);
@@ -34,15 +34,15 @@ struct AccelerationError {
 /// Settings of PredictionErrorWatch.
 template <typename Scalar, int Dofs>
 struct PredictionErrorConfig {
-  /// What the host states itself, added at all times [rad/s^2], >= 0.
+  /// A bound that the host sets; it is always added [rad/s^2], >= 0.
   JointVector<Scalar, Dofs> stated = JointVector<Scalar, Dofs>::Zero();
-  /// How long an error that was seen counts, to a share of 1/e [s], > 0.
+  /// Time constant with which an error that was seen is forgotten [s], > 0.
   Scalar memory = Scalar(0.02);
 };
 
-/// Bounds the error of the next prediction by those just seen: (dq_k - dq_k-1) / T - predicted_k-1, the largest of each
-/// sign, forgotten exponentially, plus what the host states. An error that lasts, as of a push, is covered from its
-/// second tick on. This is a heuristic: the first tick of a new error is not covered, so that a guarantee needs `stated`
+/// Bounds the error of the next prediction by the errors seen so far, (dq_k - dq_k-1) / T - predicted_k-1: the largest
+/// of each sign, forgotten exponentially, plus `stated`. An error that lasts, such as that of a push, is covered from
+/// its second tick on. This is a heuristic: the first tick of a new error is not covered, so a guarantee needs `stated`
 /// (docs/theory_control.md, "Sampled barriers").
 template <typename Scalar, int Dofs>
 class PredictionErrorWatch {
@@ -50,7 +50,7 @@ class PredictionErrorWatch {
   using Vector = JointVector<Scalar, Dofs>;  ///< dq [rad/s] or ddq [rad/s^2]
 
   /// @param period  T, from one observe() to the next [s], > 0
-  /// @param config  what the host states, and the memory
+  /// @param config  the host's bound, and the memory
   /// @throws std::invalid_argument naming the field out of range
   explicit PredictionErrorWatch(
       Scalar period, const PredictionErrorConfig<Scalar, Dofs>& config = PredictionErrorConfig<Scalar, Dofs>())
@@ -64,7 +64,7 @@ class PredictionErrorWatch {
     error_.below = error_.above = config.stated;
   }
 
-  /// Compares this tick's velocity with what was predicted, if predict() was called since the last observe().
+  /// Compares this tick's velocity with the prediction, if predict() was called since the last observe().
   /// @param dq  joint velocity [rad/s]
   /// @return Ok, or NonFiniteInput: the bounds stay as they were, and the prediction is dropped
   Status observe(const Vector& dq) noexcept {
@@ -83,7 +83,8 @@ class PredictionErrorWatch {
     dq_ = dq;
     return Status::Ok;
   }
-  /// Notes the acceleration that this tick's torque is to make [rad/s^2], Cpic::acceleration(); NaN or infinity: none.
+  /// Stores the predicted acceleration of this tick's torque [rad/s^2], Cpic::acceleration(). NaN or infinity: there is
+  /// no prediction.
   void predict(const Vector& ddq) noexcept {
     predicted_ = ddq;
     predicted_known_ = ddq.allFinite();

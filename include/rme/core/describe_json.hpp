@@ -7,7 +7,7 @@
 
 namespace rme::detail {
 
-/// A short text for any value; for an array only its size, since writing it out recurses and may be long.
+/// A short text for any value. For an array only its size: writing out its entries would recurse, and may be long.
 inline std::string describe(const nlohmann::json& value) {
   if (value.is_array()) return "an array of " + std::to_string(value.size());
   if (value.is_object()) return "an object";

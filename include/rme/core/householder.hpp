@@ -6,8 +6,9 @@
 namespace rme::detail {
 
 /// A = H_0 .. H_n-1 [R; 0] with reflections H_k = I - v_k v_k^T, |v_k|^2 = 2 (Golub and Van Loan, Matrix Computations,
-/// 5.2), in place: v_k in column k from the diagonal on, R above the diagonal.
-/// @param diagonal  of R
+/// 5.2).
+/// @param[in,out] A      afterwards v_k in column k from the diagonal on, and R above the diagonal
+/// @param[out] diagonal  the diagonal of R
 template <typename Scalar, int Rows, int Columns>
 void householder(Eigen::Matrix<Scalar, Rows, Columns>& A, Eigen::Matrix<Scalar, Columns, 1>& diagonal) noexcept {
   static_assert(Rows >= Columns, "householder: a matrix with at least as many rows as columns");

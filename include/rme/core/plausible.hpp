@@ -5,8 +5,8 @@
 
 namespace rme {
 
-/// Inputs beyond this are refused [N m, m, rad/s, ...]. It is far above what any arm reports, and so far below overflow
-/// that no product or sum over a window becomes an infinity or a NaN, in float either.
+/// Inputs with a larger absolute value are refused [N m, m, rad/s, ...]. The bound is far above what any arm reports,
+/// and so far below overflow that no product or sum over a window becomes infinite or NaN, even in float.
 inline constexpr double kLargestPlausible = 1048576;  // 2^20
 
 /// Whether |x| <= kLargestPlausible; false for a NaN.

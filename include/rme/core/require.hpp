@@ -1,5 +1,5 @@
 #pragma once
-/// Checks at construction. This is the only place where rme throws (weights from JSON apart).
+/// Checks of settings, at construction and when JSON is read. rme throws nowhere else.
 #include <cmath>
 #include <string>
 #if defined(__cpp_exceptions)
@@ -10,8 +10,8 @@
 
 namespace rme::detail {
 
-/// Refuses a configuration value. Without exceptions (-fno-exceptions) it aborts: construction comes before the control
-/// loop, where that is safe.
+/// Refuses a configuration value: throws std::invalid_argument. Without exceptions (-fno-exceptions) it aborts. That is
+/// safe, since objects are constructed before the control loop starts.
 [[noreturn]] inline void refuse(const std::string& message) {
 #if defined(__cpp_exceptions)
   throw std::invalid_argument(message);

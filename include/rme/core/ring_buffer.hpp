@@ -1,12 +1,12 @@
 #pragma once
-/// The last N values of a signal, in storage made once.
+/// The last N values of a signal, in memory that is allocated once.
 #include <cstddef>
 #include <rme/core/require.hpp>
 #include <vector>
 
 namespace rme {
 
-/// Keeps the newest `capacity` values. All memory is made in the constructor; push() never allocates.
+/// Keeps the newest `capacity` values. The constructor allocates all memory; push() never allocates.
 template <typename Value>
 class RingBuffer {
  public:

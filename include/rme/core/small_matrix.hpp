@@ -1,13 +1,13 @@
 #pragma once
 /// Products and sums of matrices whose sizes the compiler knows, as plain loops.
 ///
-/// Eigen's expressions would do the same, but the compiler instantiates class templates for each of them. That would be
-/// most of the time that an Estimator or a Cpic takes to compile.
+/// Eigen's expressions would do the same, but the compiler instantiates class templates for each of them. That would
+/// take most of the compile time of an Estimator or a Cpic.
 #include <Eigen/Core>
 
 namespace rme::detail {
 
-/// Column j of a matrix, as an Eigen vector, for which the compiler emits vector instructions.
+/// Column j of a matrix, as an Eigen vector. Loops over it compile to vector instructions.
 template <typename Scalar, int Rows, int Columns>
 Eigen::Map<const Eigen::Matrix<Scalar, Rows, 1>> column(const Eigen::Matrix<Scalar, Rows, Columns>& A, int j) noexcept {
   return Eigen::Map<const Eigen::Matrix<Scalar, Rows, 1>>(A.data() + j * Rows);

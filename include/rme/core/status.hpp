@@ -8,7 +8,7 @@ namespace rme {
 /// object is as it was, and no output was written.
 enum class [[nodiscard]] Status : std::uint8_t{
     Ok,
-    NonFiniteInput,       ///< an input is NaN, infinite, or larger than any arm's (plausible.hpp)
+    NonFiniteInput,       ///< an input is NaN, infinite, or larger than any arm reports (plausible.hpp)
     NotARotation,         ///< a rotation matrix is not orthonormal with determinant +1
     NotReady,             ///< too little data yet for an answer
     NotPositiveDefinite,  ///< a matrix that must be positive definite is not

@@ -1,13 +1,13 @@
 #pragma once
-/// A sum of logarithms with a third of the calls: each costs as much as some thirty multiplications.
+/// A sum of logarithms that calls log once for three numbers: a call costs as much as some thirty multiplications.
 #include <Eigen/Core>
 #include <cmath>
 #include <rme/core/unroll.hpp>
 
 namespace rme {
 
-/// sum_i log x_i. Numbers are multiplied three at a time, which neither overflows nor underflows from 1e-12 to 1e12 in
-/// float, and from 1e-100 to 1e100 in double.
+/// sum_i log x_i. Numbers are multiplied three at a time. For numbers from 1e-12 to 1e12 in float, and from 1e-100 to
+/// 1e100 in double, the product neither overflows nor underflows.
 /// @param x  a vector of fixed size, of numbers > 0
 template <typename Vector>
 typename Vector::Scalar sum_of_logs(const Eigen::DenseBase<Vector>& x) noexcept {

@@ -1,7 +1,7 @@
 #pragma once
 /// Unrolls short loops, which g++ and clang do not always do at -O2.
 
-/// In front of a loop of at most eight turns. A compiler that has no such request leaves the loop as it is.
+/// Stands before a loop of at most eight turns. For a compiler without such a pragma it is empty.
 #if defined(__GNUC__)
 #define RME_UNROLL _Pragma("GCC unroll 8")
 #else

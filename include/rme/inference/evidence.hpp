@@ -14,22 +14,23 @@ struct PushPrior {
   double moment = 1.5;  ///< standard deviation of each component [N m], > 0
 };
 
-/// log p(y | the hand holds exactly `payload`, and nothing else acts), nuisances integrated out [nats], up to a
-/// constant that push_log_evidence() shares.
+/// log p(y | the hand holds exactly `payload`, and nothing else acts) [nats], with the nuisances integrated out, up to
+/// a constant that is the same in push_log_evidence().
 template <typename Scalar>
 Scalar payload_log_evidence(const PayloadLikelihood<Scalar>& likelihood, const Payload<Scalar>& payload) noexcept {
   return likelihood.log_likelihood(payload.vector()) + likelihood.log_factor;
 }
 
 /// log p(y | the hand holds exactly `payload`, and a constant wrench w ~ N(0, S) acts as well), with w and the
-/// nuisances integrated out: with e = y - m (a + B r), b = sum_j J_j <1, e>_j and P = S^-1 + sum_j J_j J_j^T <1, 1>_j,
-/// over the joints j,
+/// nuisances integrated out (docs/theory.md (T47)):
 ///
-///     log p = -1/2 (sum_j <e, e>_j - b^T P^-1 b) - 1/2 log det(P S)     (docs/theory.md (T47))
+///     log p = -1/2 (sum_j <e, e>_j - b^T P^-1 b) - 1/2 log det(P S),    e = y - m (a + B r)
+///     b = sum_j J_j <1, e>_j,    P = S^-1 + sum_j J_j J_j^T <1, 1>_j
 ///
+/// where j counts the joints, J_j is a column of J, and <., .>_j is the weighted sum over the samples of joint j.
 /// @param joints             of the window, from PayloadStatistics::marginals
 /// @param payload            what the hand holds
-/// @param jacobian           J, 6 x Dofs, of the window, over which it is taken as constant
+/// @param jacobian           J, 6 x Dofs, taken as constant over the window
 /// @param prior              S
 /// @param[out] log_evidence  [nats]; as it was unless the status is Ok
 /// @return Ok, or NotPositiveDefinite if a number overflowed
@@ -39,7 +40,7 @@ Status push_log_evidence(const typename PayloadStatistics<Scalar, Dofs>::Margina
                          Scalar& log_evidence) noexcept {
   Vector6<Scalar> deviation;
   deviation << Vector3<Scalar>::Constant(Scalar(prior.force)), Vector3<Scalar>::Constant(Scalar(prior.moment));
-  // In units of the prior's standard deviations P S becomes 1 + ..., which is always well scaled.
+  // In units of the prior's standard deviations, P S is the identity plus the sum over the joints: well scaled always.
   Matrix6<Scalar> P = Matrix6<Scalar>::Identity();
   Vector6<Scalar> b = Vector6<Scalar>::Zero();
   Eigen::Matrix<Scalar, 5, 1> residual;  // y - m a - m B r as a combination of (y, a, B)

@@ -24,11 +24,14 @@ struct ExactPosterior : InferenceResult<Scalar> {
 struct ExactQuadrature {};
 
 /// Integrates over r in closed form and over m by the trapezoidal rule, which converges geometrically for a smooth
-/// density that has died out at both ends (docs/theory.md, "The exact posterior"). A coarse pass over the prior's mean
-/// +- 6 standard deviations, and beyond where the density still rises, finds the modes, a golden-section search refines
-/// each, and the fine pass covers all that lies within e^-20 of the highest. Real time: one 3x3 eigendecomposition, at
-/// most 196 evaluations of the mass's density and 233 for each refined mode (usually three, of which one counts; about
-/// 300 in all), each with a logarithm and three divisions; no allocation.
+/// density that is negligible at both ends (docs/theory.md, "The exact posterior"). A coarse pass finds the modes. It
+/// covers the prior's mean +- 6 standard deviations, and goes on beyond an end where the density still rises. A
+/// golden-section search refines each mode. The fine pass covers all masses whose density is above e^-20 of the highest
+/// mode's.
+///
+/// Real time: one 3x3 eigendecomposition, at most 196 evaluations of the mass's density and 233 for each refined mode,
+/// each with a logarithm and three divisions; no allocation. Usually there are three modes, one of which counts, and
+/// about 300 evaluations.
 /// @param likelihood   of the window
 /// @param prior        over (m, r), covariance positive definite
 /// @param[out] result  as it was unless the status is Ok
@@ -37,7 +40,7 @@ template <typename Scalar>
 Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
                        ExactPosterior<Scalar>& result) noexcept;
 
-/// The same in the form that all solvers share (inference_result.hpp).
+/// exact_posterior() in the form that all solvers share (inference_result.hpp), with the same status.
 template <typename Scalar>
 Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
              InferenceResult<Scalar>& result, const ExactQuadrature& /*config*/) noexcept {
@@ -49,8 +52,9 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
 
 namespace detail {
 
-/// p(m | y) and p(r | m, y) in coordinates in which they cost no matrices. Given m, the prior of r has a mean that is
-/// linear in m: r = e + k m + s. With s = T z, where z ~ N(0, 1) and T^T BB T = diag(lambda) (docs/theory.md (T46)),
+/// p(m | y) and p(r | m, y) in coordinates in which no matrix is needed for each m. Given m, the prior of r has a mean
+/// that is linear in m: r = e + k m + s. With s = T z, where z ~ N(0, 1) and T^T BB T = diag(lambda)
+/// (docs/theory.md (T46)),
 ///
 ///     z | m, y ~ N(u / (1 + m^2 lambda), 1 / (1 + m^2 lambda)),   u = T^T (m yB - m^2 (aB + BB (e + k m)))
 template <typename Scalar>
@@ -145,8 +149,8 @@ Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const Payloa
   std::array<Scalar, kCoarse + 1> coarse;
   for (std::size_t i = 0; i <= kCoarse; ++i) coarse[i] = log_density(first + Scalar(i) * spacing);
 
-  // Modes: each between the neighbours of a coarse node that exceeds them. Which of several is the highest does not
-  // show in the coarse pass, since a sharp one falls off by many powers of e within the spacing.
+  // Modes: each lies between the neighbours of a coarse node that exceeds both. The coarse pass does not show which
+  // mode is the highest, since a sharp one falls off by many powers of e within the spacing.
   struct Mode {
     Scalar mass, log_density;
   };
@@ -165,7 +169,7 @@ Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const Payloa
     }
     return f1 > f2 ? Mode{x1, f1} : Mode{x2, f2};
   };
-  // The mode beyond an end of the coarse pass, where the data contradict the prior: in growing strides, until it falls.
+  // The mode beyond an end of the coarse pass, if the data contradict the prior: strides grow until the density falls.
   const auto climb = [&](Scalar m, Scalar stride) noexcept {
     Scalar here = log_density(m);
     for (int i = 0; i < 64; ++i, stride *= Scalar(1.1)) {
@@ -187,8 +191,7 @@ Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const Payloa
   for (std::size_t i = 1; i < kCoarse; ++i) {
     const Scalar node = first + Scalar(i) * spacing;
     if (std::abs(node) < Scalar(0.25) * spacing) {
-      // What explains the torque as m r may as well be -m and -r: two modes with a valley between them that is at zero,
-      // however near they are.
+      // (-m, -r) explains much of what (m, r) explains: two modes, however near they are, with a valley at m = 0.
       add(sharpen(node - spacing, node));
       add(sharpen(node, node + spacing));
     } else if (coarse[i - 1] < coarse[i] && coarse[i + 1] <= coarse[i]) {
@@ -199,8 +202,8 @@ Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const Payloa
   if (mode_count == 0) return Status::NonFiniteInput;
   const auto [mode, peak] = modes[best];
 
-  // Fine pass, moments about the highest mode, so that no large numbers cancel: from each mode that counts outwards in
-  // growing strides until nothing is left, every mode on nodes of its own where that leaves a gap between them.
+  // Fine pass. Moments are about the highest mode, so that no large numbers cancel. The interval of a mode reaches in
+  // growing strides to where the density is negligible. Intervals that overlap are merged; each has its own nodes.
   const auto reach = [&, highest = peak](Scalar from, Scalar direction) noexcept {
     Scalar distance = spacing * Scalar(1e-4);
     for (int i = 0; i < 32 && highest - log_density(from + direction * distance) < kNegligible; ++i)

@@ -5,7 +5,8 @@
 
 namespace rme {
 
-/// 0.8 +- 0.6 kg, 10 +- 6 cm in front of the flange and 0 +- 5 cm from its axis. Called as NetworkPrior is.
+/// Mean and standard deviation: 0.8 +- 0.6 kg, the centre of mass 10 +- 6 cm in front of the flange and 0 +- 5 cm from
+/// its axis. It is called in the same way as NetworkPrior.
 template <typename Scalar>
 struct FixedPrior {
   /// The prior, for every window.

@@ -9,15 +9,15 @@ namespace rme {
 ///
 ///     Status infer(likelihood, prior, result, config)
 ///
-/// and the type of `config` selects it: VariationalInferenceConfig (the default), MeanFieldConfig, ExactQuadrature, or
-/// StochasticViConfig, which needs a random generator after it (docs/theory.md, "Four solvers").
+/// and the type of `config` selects the solver: VariationalInferenceConfig (the default), MeanFieldConfig,
+/// ExactQuadrature, or StochasticViConfig, after which a random generator is passed (docs/theory.md, "Four solvers").
 template <typename Scalar>
 struct InferenceResult {
-  PayloadGaussian<Scalar> posterior;  ///< mean and covariance
+  PayloadGaussian<Scalar> posterior;  ///< mean and covariance [kg, m, m, m]
   /// log p(y) - log p(y | m = 0), the log evidence of a payload relative to an empty hand [nats]: exact, or the ELBO,
   /// which bounds it from below.
   Scalar log_evidence = Scalar(0);
-  int iterations = 0;  ///< steps of the solver; for a quadrature its nodes
+  int iterations = 0;  ///< steps of the solver; for the quadrature, evaluations of the density
 };
 
 }  // namespace rme

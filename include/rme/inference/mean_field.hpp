@@ -14,9 +14,9 @@
 namespace rme {
 
 /// Selects the mean-field family, which is the published one: a diagonal Gaussian. Mass and centre of mass are
-/// correlated, so its intervals are too narrow; the full covariance costs no more.
+/// correlated, so its intervals are too narrow. The full covariance (VariationalInferenceConfig) costs no more.
 struct MeanFieldConfig {
-  int max_iterations = 50;  ///< bound on the work; about 6 are needed
+  int max_iterations = 50;  ///< bound on the number of sweeps; about 6 are needed
   double tolerance = 1e-4;  ///< stop when a step is below this many posterior standard deviations
 };
 
@@ -26,9 +26,9 @@ struct MeanFieldConfig {
 ///
 ///     1 / v_i = -E_q[hess log p]_ii
 ///
-/// Each mean has one as well, given the others. But mass and centre of mass are correlated: updated in turn, they need
-/// many sweeps. So the means take a Newton step together, halved until the ELBO does not fall. If no such step is found,
-/// they are updated in turn.
+/// Each mean has one as well, given the others. But mass and centre of mass are correlated: if they are updated in
+/// turn, they need many sweeps. So all means are updated together by a Newton step, which is halved until the ELBO does
+/// not fall. If no such step is found, they are updated in turn.
 /// Real time: at most max_iterations sweeps with at most 20 halvings each, all 4x4, no allocation.
 /// @param likelihood   of the window
 /// @param prior        over (m, r), covariance positive definite
@@ -41,7 +41,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
 
 namespace detail {
 
-/// One q = N(mean, diag(variance)) and its way uphill.
+/// The current q = N(mean, diag(variance)), and the sweeps that increase its ELBO.
 template <typename Scalar>
 class MeanFieldAscent {
  public:
@@ -57,12 +57,12 @@ class MeanFieldAscent {
   /// The ELBO, up to a constant.
   Scalar objective() const noexcept { return objective_; }
 
-  /// One sweep over the blocks; the objective does not fall, but for its round-off.
+  /// One sweep over the blocks. The objective does not fall by more than its round-off.
   /// @return the longest step of a mean or relative change of a deviation, in standard deviations
   Scalar sweep(Scalar tolerance) noexcept {
     const Vector4<Scalar> mean_before = mean_, variance_before = variance_;
     if (!step_together(tolerance)) step_in_turn();
-    // Given the means: first the mass, then the centre of mass, whose precision holds E[m^2].
+    // Given the means: first the variance of the mass, since the precision of the centre of mass contains E[m^2].
     variance_[0] = 1 / precision()(0, 0);
     variance_.template tail<3>() = precision().diagonal().template tail<3>().cwiseInverse();
     objective_ = objective(mean_);
@@ -77,12 +77,13 @@ class MeanFieldAscent {
     return joint_.value(mean, variance_.asDiagonal()) + Scalar(0.5) * sum_of_logs(variance_);
   }
 
-  /// A Newton step of all means. @return whether one was found that does not lower the objective
+  /// A Newton step of all means.
+  /// @return whether a step was found that does not lower the objective
   bool step_together(Scalar tolerance) noexcept {
     const Eigen::LLT<Matrix4<Scalar>> llt(precision());
     if (llt.info() != Eigen::Success) return false;
     const Vector4<Scalar> direction = llt.solve(joint_.gradient(mean_, variance_.asDiagonal()));
-    // So short a step changes the objective by less than its round-off: nothing is left to compare.
+    // Such a short step changes the objective by less than its round-off, so the objectives are not compared.
     if ((direction.array().abs() < tolerance * variance_.array().sqrt()).all()) {
       mean_ += direction;
       return true;
@@ -121,7 +122,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
   const Matrix4<Scalar> prior_precision = prior_llt.solve(Matrix4<Scalar>::Identity());
   const ExpectedLogJoint<Scalar> joint(likelihood, prior.mean, prior_precision);
   using std::sqrt;
-  // In float a gradient is not known better than this.
+  // In float, round-off of the gradient does not allow a smaller tolerance.
   const Scalar tolerance = std::max(Scalar(config.tolerance), 32 * sqrt(Eigen::NumTraits<Scalar>::epsilon()));
 
   detail::MeanFieldAscent<Scalar> q(joint, detail::initial_mean(likelihood, prior.mean, prior_precision));

@@ -10,7 +10,7 @@ namespace rme {
 template <typename Scalar>
 struct PayloadGaussian {
   Vector4<Scalar> mean = Vector4<Scalar>::Zero();            ///< [kg, m, m, m]
-  Matrix4<Scalar> covariance = Matrix4<Scalar>::Identity();  ///< 4x4, positive semidefinite
+  Matrix4<Scalar> covariance = Matrix4<Scalar>::Identity();  ///< 4x4, positive semidefinite, units of the mean
 
   /// The mean as mass and centre of mass.
   Payload<Scalar> payload() const noexcept { return Payload<Scalar>::from_vector(mean); }

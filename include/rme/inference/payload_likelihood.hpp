@@ -9,20 +9,21 @@ namespace rme {
 ///
 ///     L(theta) = -1/2 [ yy - 2 m (ya + yB . r) + m^2 (aa + 2 aB . r + r^T BB r) ]
 ///
-/// Each number is a precision-weighted sum over samples and joints, e.g. aB = sum_t B_t^T W a_t; dimensionless when m
-/// is in kg and r in m. PayloadStatistics computes it.
+/// Each number is a precision-weighted sum over samples and joints, e.g. aB = sum_t B_t^T W a_t, where W is the inverse
+/// covariance of the torque's noise. PayloadStatistics computes the sums.
 template <typename Scalar>
 struct PayloadLikelihood {
-  Scalar yy = Scalar(0);                         ///< sum of y^T W y
-  Scalar ya = Scalar(0);                         ///< sum of y^T W a
-  Scalar aa = Scalar(0);                         ///< sum of a^T W a
-  Vector3<Scalar> yB = Vector3<Scalar>::Zero();  ///< sum of B^T W y
-  Vector3<Scalar> aB = Vector3<Scalar>::Zero();  ///< sum of B^T W a
-  Matrix3<Scalar> BB = Matrix3<Scalar>::Zero();  ///< sum of B^T W B
-  /// Log of the likelihood's constant factor, up to a term that all sensor models share: to compare sensor models of
-  /// the same window.
+  Scalar yy = Scalar(0);                         ///< sum of y^T W y, without unit
+  Scalar ya = Scalar(0);                         ///< sum of y^T W a [1/kg]
+  Scalar aa = Scalar(0);                         ///< sum of a^T W a [1/kg^2]
+  Vector3<Scalar> yB = Vector3<Scalar>::Zero();  ///< sum of B^T W y [1/(kg m)]
+  Vector3<Scalar> aB = Vector3<Scalar>::Zero();  ///< sum of B^T W a [1/(kg^2 m)]
+  Matrix3<Scalar> BB = Matrix3<Scalar>::Zero();  ///< sum of B^T W B [1/(kg m)^2]
+  /// Log of the likelihood's constant factor [nats], up to a term that all sensor models share. With it, sensor models
+  /// of the same window can be compared.
   Scalar log_factor = Scalar(0);
 
+  /// The likelihood with these sums.
   /// @param products  precision-weighted products of (y, a, B_x, B_y, B_z), 5x5, symmetric
   static PayloadLikelihood from_products(const Eigen::Matrix<Scalar, 5, 5>& products) noexcept {
     PayloadLikelihood l;
@@ -35,15 +36,15 @@ struct PayloadLikelihood {
     return l;
   }
 
-  /// L(theta).
+  /// L(theta) [nats].
   Scalar log_likelihood(const Vector4<Scalar>& theta) const noexcept {
     const Scalar m = theta[0];
     const Vector3<Scalar> r = theta.template tail<3>();
     return Scalar(-0.5) * (yy - 2 * m * (ya + yB.dot(r)) + m * m * (aa + 2 * aB.dot(r) + r.dot(BB * r)));
   }
 
-  /// L(theta) - L(m = 0): how much better a payload explains the window than an empty hand. The term yy cancels; it is
-  /// so large that the others would be lost to rounding.
+  /// L(theta) - L(m = 0) [nats]: how much better a payload explains the window than an empty hand does. The term yy
+  /// cancels. It is so large that the others would be lost to rounding.
   /// @param theta          (m [kg], r [m]), 4x1
   /// @param[out] gradient  with respect to theta, 4x1
   Scalar log_likelihood_ratio(const Vector4<Scalar>& theta, Vector4<Scalar>& gradient) const noexcept {
@@ -54,7 +55,7 @@ struct PayloadLikelihood {
     return m * yt - Scalar(0.5) * m * m * tt;
   }
 
-  /// Whether none of the sums is NaN or infinite.
+  /// Whether no sum is NaN or infinite.
   bool all_finite() const noexcept {
     return std::isfinite(yy) && std::isfinite(ya) && std::isfinite(aa) && yB.allFinite() && aB.allFinite() &&
            BB.allFinite();

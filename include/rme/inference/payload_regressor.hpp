@@ -1,12 +1,13 @@
 #pragma once
-/// The payload model as a regression: the joint torque of a payload is m (a + B r + Q p(r)), p(r) the products of r.
+/// The payload model as a regression: a payload (m, r) exerts the joint torque m (a + B r + Q p(r)), where p(r) is
+/// products(r).
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/types.hpp>
 
 namespace rme {
 
-/// The six products of a centre of mass r: (x x, x y, x z, y y, y z, z z).
+/// p(r) [m^2]: the products (x x, x y, x z, y y, y z, z z) of the entries of a centre of mass r = (x, y, z) [m].
 template <typename Scalar>
 Vector6<Scalar> products(const Vector3<Scalar>& r) noexcept {
   Vector6<Scalar> out;
@@ -43,15 +44,14 @@ PayloadRegressor<Scalar, Dofs> payload_regressor(const Jacobian<Scalar, Dofs>& j
 
 /// Regressor of a payload that is carried along, inertia force included:
 ///
-///     f = m (g - a_o - W R r),   n = (R r) x f,   W = [alpha]x + [omega]x^2
+///     f = m (g - a_o - W R r),   n = (R r) x f - m k^2 alpha,   W = [alpha]x + [omega]x^2
 ///
-/// with a_o the origin's acceleration. n is quadratic in r through the point mass's own inertia, (R r) x (W R r): the
-/// six columns of Q. A body's inertia about its own centre adds k^2 alpha per kilogram for a radius of gyration k.
-/// docs/theory.md (T4, T5).
+/// with the origin's acceleration a_o and the payload's radius of gyration k (docs/theory.md (T4, T5)). n contains the
+/// inertia of the point mass, -m (R r) x (W R r), which is quadratic in r: it gives the six columns of Q.
 /// @param jacobian         6 x Dofs, world axes, linear rows first
 /// @param rotation         R, end-effector axes to world axes
 /// @param gravity          g [m/s^2], world axes
-/// @param motion           of the flange, world axes
+/// @param motion           omega, alpha and a_o of the flange, world axes
 /// @param gyration_radius  k [m], of the payload about its centre of mass, taken as the same about every axis
 template <typename Scalar, int Dofs>
 PayloadRegressor<Scalar, Dofs> payload_regressor(const Jacobian<Scalar, Dofs>& jacobian,

@@ -9,19 +9,20 @@
 
 namespace rme {
 
-/// A joint's torque beside the payload's: offset + coulomb * c + viscous * v, with c the negative direction of motion
-/// and v the negative joint velocity, since friction opposes motion. Three coefficients per joint.
+/// Number of nuisance coefficients of a joint. A joint's torque beside the payload's is
+/// offset + coulomb * c + viscous * v, where c is the negative direction of motion and v the negative joint velocity,
+/// since friction opposes motion.
 inline constexpr int kNuisances = 3;
 template <typename Scalar>
 using NuisanceVector = Eigen::Matrix<Scalar, kNuisances, 1>;  ///< (offset [N m], coulomb [N m], viscous [N m s/rad])
 template <typename Scalar>
-using NuisanceMatrix = Eigen::Matrix<Scalar, kNuisances, kNuisances>;  ///< covariance of the same
+using NuisanceMatrix = Eigen::Matrix<Scalar, kNuisances, kNuisances>;  ///< covariance of a NuisanceVector
 
-/// Gaussian over the nuisance coefficients of every joint, independent between joints.
+/// Gaussian over the nuisance coefficients beta_j of every joint; the joints are independent.
 template <typename Scalar, int Dofs>
 struct NuisanceGaussian {
   std::array<NuisanceVector<Scalar>, Dofs> mean;        ///< mu, per joint
-  std::array<NuisanceMatrix<Scalar>, Dofs> covariance;  ///< positive definite
+  std::array<NuisanceMatrix<Scalar>, Dofs> covariance;  ///< Lambda, per joint, positive definite
 };
 
 /// One tick: y = m (a + B r + Q products(r)) + N beta + noise, per joint.
@@ -35,7 +36,8 @@ struct PayloadObservation {
 
 /// Sums over a window, per joint: the Gram matrix of z = (y, a, B_x, B_y, B_z, 1, -direction, -velocity). They do not
 /// depend on the noise level or on the priors of offset and friction, which are needed only for an inference. Sums of
-/// two windows can be added. O(Dofs) per tick, for any window. The model is linear in (m, m r) here: exact at rest.
+/// two windows can be added. A tick costs O(Dofs), however long the window is. Q is left out, so that the model is
+/// linear in (m, m r): it is exact at rest.
 template <typename Scalar, int Dofs>
 class PayloadStatistics {
  public:
@@ -57,7 +59,7 @@ class PayloadStatistics {
     return z;
   }
 
-  /// Adds one tick at rest (Q is left out). The numbers have to be finite; they are not checked.
+  /// Adds one tick; its Q is not used. The numbers must be finite, which is not checked.
   void add(const PayloadObservation<Scalar, Dofs>& o) noexcept {
     for (int j = 0; j < Dofs; ++j) {
       const Row z = row(o, j);
@@ -78,21 +80,21 @@ class PayloadStatistics {
   static constexpr int kSignals = 6;  ///< entries of u = (y, a, B_x, B_y, B_z, 1)
   /// The sums of one joint with its nuisances integrated out.
   struct Marginal {
-    /// Products of u, with y - N mu in place of y, weighted by the marginal precision; symmetric. The last column is
-    /// for a constant torque in this joint.
+    /// Products of u, with y - N mu in place of y, weighted by the marginal precision; symmetric. The last column
+    /// belongs to a constant torque of this joint.
     Eigen::Matrix<Scalar, kSignals, kSignals> products;
-    Scalar log_factor;  ///< -1/2 log det of the nuisances' posterior precision over their prior precision
+    Scalar log_factor;  ///< -1/2 (log det of the nuisances' posterior precision - log det of their prior precision)
   };
 
-  /// With precision w per sample and beta ~ N(mu, Lambda), by Woodbury (docs/theory.md (T39)):
+  /// Integrates the nuisances of a joint out of its sums, by Woodbury's identity (docs/theory.md (T39)):
   ///
   ///     w G_uu - w^2 G_un (Lambda^-1 + w G_nn)^-1 G_nu
   ///
   /// @param joint      0 .. Dofs - 1
   /// @param precision  w [1/(N m)^2], > 0
   /// @param nuisance   beta ~ N(mu, Lambda)
-  /// @param out        as it was unless the status is Ok
-  /// @return Ok, or NotPositiveDefinite: the covariance of `nuisance`
+  /// @param[out] out   as it was unless the status is Ok
+  /// @return Ok; NotPositiveDefinite (the covariance of `nuisance`)
   Status marginal(int joint, Scalar precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
                   Marginal& out) const noexcept {
     const auto j = static_cast<std::size_t>(joint);
@@ -104,7 +106,7 @@ class PayloadStatistics {
     const NuisanceMatrix<Scalar> nn = gram_[j].template bottomRightCorner<kNuisances, kNuisances>();
     const Cholesky<Scalar, kNuisances> inner(NuisanceMatrix<Scalar>::Identity() + w * L.transpose() * nn * L);
     if (!inner.positive_definite()) return Status::NotPositiveDefinite;
-    // The constant is the first nuisance's regressor as well, so that it stands once in the Gram matrix.
+    // The constant column is also the first nuisance's regressor, so the Gram matrix has it only once.
     Signals uu = gram_[j].template topLeftCorner<kSignals, kSignals>();
     Cross un = gram_[j].template topRightCorner<kSignals, kNuisances>();
     const NuisanceVector<Scalar>& mu = nuisance.mean[j];
@@ -125,8 +127,8 @@ class PayloadStatistics {
   /// marginal() of every joint.
   /// @param precision  per joint and sample [1/(N m)^2], > 0
   /// @param nuisance   beta ~ N(mu, Lambda)
-  /// @param out        one for each joint
-  /// @return Ok, or NotPositiveDefinite: the covariance of `nuisance`; `out` then holds nothing of use
+  /// @param[out] out   one for each joint; not usable unless the status is Ok
+  /// @return Ok; NotPositiveDefinite (the covariance of `nuisance`)
   Status marginals(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
                    Marginals& out) const noexcept {
     for (int j = 0; j < Dofs; ++j) {
@@ -148,11 +150,11 @@ class PayloadStatistics {
     out.log_factor = log_factor;
     return out;
   }
-  /// The same from the sums at once.
+  /// The same, directly from the sums.
   /// @param precision  per joint and sample [1/(N m)^2], > 0
   /// @param nuisance   beta ~ N(mu, Lambda)
-  /// @param out        as it was unless the status is Ok
-  /// @return Ok, or NotPositiveDefinite: the covariance of `nuisance`
+  /// @param[out] out   as it was unless the status is Ok
+  /// @return Ok; NotPositiveDefinite (the covariance of `nuisance`)
   Status likelihood(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& nuisance,
                     PayloadLikelihood<Scalar>& out) const noexcept {
     Marginals joints;
@@ -161,7 +163,7 @@ class PayloadStatistics {
     return status;
   }
 
-  /// The likelihood of a payload if there were no nuisances, and white noise alone.
+  /// The likelihood of a payload without nuisances: all error of the torque is white noise.
   /// @param precision  per joint and sample [1/(N m)^2], > 0
   PayloadLikelihood<Scalar> white_likelihood(const JointVector<Scalar, Dofs>& precision) const noexcept {
     Signals total = Signals::Zero();
@@ -175,8 +177,8 @@ class PayloadStatistics {
   /// Posterior of each joint's nuisances beta ~ N(mu, Lambda) after the window, for an empty hand: the baseline.
   /// @param precision  per joint and sample [1/(N m)^2], > 0
   /// @param prior      beta ~ N(mu, Lambda)
-  /// @param out        as it was unless the status is Ok
-  /// @return Ok, or NotPositiveDefinite: the covariance of `prior`
+  /// @param[out] out   as it was unless the status is Ok
+  /// @return Ok; NotPositiveDefinite (the covariance of `prior`)
   Status nuisance_posterior(const JointVector<Scalar, Dofs>& precision, const NuisanceGaussian<Scalar, Dofs>& prior,
                             NuisanceGaussian<Scalar, Dofs>& out) const noexcept {
     NuisanceGaussian<Scalar, Dofs> posterior;

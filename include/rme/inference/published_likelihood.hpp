@@ -1,5 +1,5 @@
 #pragma once
-/// The likelihood of the paper: white noise of a quarter of the torque's range.
+/// The likelihood of the paper: white noise whose standard deviation is a quarter of the torque's range.
 #include <algorithm>
 #include <limits>
 #include <rme/core/status.hpp>
@@ -12,17 +12,17 @@ namespace rme {
 /// Settings of published_likelihood(); the defaults are the published ones.
 struct PublishedLikelihoodConfig {
   int samples = 50;           ///< taken from the window, uniformly spaced, first and last included, >= 2
-  double range_share = 0.25;  ///< sigma_j over the range of joint j's torque, >= 0
-  double least_sigma = 0.1;   ///< [N m], > 0
+  double range_share = 0.25;  ///< sigma_j as a share of the range of joint j's torque, >= 0
+  double least_sigma = 0.1;   ///< lower bound of sigma_j [N m], > 0
 };
 
 /// tau_t ~ N(m (a_t + B_t r), diag(sigma_j^2)) over uniformly spaced samples, with
 ///
 ///     sigma_j = max(0.25 (max_t tau_j - min_t tau_j), 0.1 N m)     (docs/theory.md (T45))
 ///
-/// It has no offset, no friction and no correlation: PayloadStatistics::likelihood with nuisances is better. The paper
-/// takes the raw tau_ext and the regressor at rest.
-/// @param count            samples in the window, >= 1; with fewer than config.samples some are taken twice
+/// It has no offset, no friction and no correlation of the noise: PayloadStatistics::likelihood with nuisances is
+/// better. The paper takes the raw tau_ext and the regressor at rest.
+/// @param count            samples in the window, >= 1; if there are fewer than config.samples, some are taken twice
 /// @param at               callable (int i) -> PayloadObservation, i from 0 to count - 1; tau and regressor are used
 /// @param[out] likelihood  as it was unless the status is Ok
 /// @param config           the defaults are the published ones

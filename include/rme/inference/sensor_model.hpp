@@ -18,33 +18,33 @@ struct SensorModel {
   using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
 
   /// Standard deviation of the error that varies within a window, with the correlation time below [N m], > 0. White
-  /// noise of standard deviation s per sample of period dt counts as s sqrt(dt / (2 noise_correlation_time)).
+  /// noise with standard deviation s in samples of period dt counts as s sqrt(dt / (2 noise_correlation_time)).
   Vector noise;
-  Scalar noise_correlation_time = Scalar(0.02);  ///< [s], > 0; the same for all models that are compared
+  Scalar noise_correlation_time = Scalar(0.02);  ///< [s], > 0; must be the same in models that are compared
   Vector offset;    ///< standard deviation of the part that stays for minutes: sensor offset, model error [N m], > 0
   Vector stiction;  ///< standard deviation of the part that changes with every event: friction at rest [N m], > 0
-  Vector coulomb_mean;  ///< Coulomb friction that tau_ext shows [N m], 0 with link-side sensing
+  Vector coulomb_mean;  ///< Coulomb friction that tau_ext contains [N m], >= 0; 0 with link-side sensing
   Vector coulomb_std;   ///< its standard deviation [N m], > 0
-  Vector viscous_mean;  ///< viscous friction that tau_ext shows [N m s/rad]
+  Vector viscous_mean;  ///< viscous friction that tau_ext contains [N m s/rad], >= 0
   Vector viscous_std;   ///< its standard deviation [N m s/rad], > 0
 
-  /// Torque sensed behind the gears, as on most lightweight arms: little friction in it.
+  /// Torque sensed behind the gears, as on most lightweight arms: it contains little friction.
   static SensorModel link_side();
-  /// Torque from motor currents, or sensed before the gears: the friction of the joints shows.
+  /// Torque from motor currents, or sensed before the gears: it contains the friction of the joints.
   static SensorModel joint_friction();
 
   /// @throws std::invalid_argument naming the field out of range
   void validate() const;
 
-  /// Precision of one sample, per joint [1/(N m)^2]. Samples dt apart under an error of correlation time T are worth
-  /// dt / (2 T) independent ones each.
+  /// Precision of one sample, per joint [1/(N m)^2]. If the error has the correlation time T, each of the samples dt
+  /// apart counts as dt / (2 T) of an independent one, and at most as one.
   Vector precision(Scalar dt) const noexcept { return independence(dt) * noise.cwiseAbs2().cwiseInverse(); }
-  /// How many independent samples `count` of period dt are worth, per joint.
+  /// As how many independent samples `count` samples of period dt count, per joint.
   Scalar independent_samples(Scalar dt, int count) const noexcept {
     return independence(dt) * static_cast<Scalar>(count);
   }
-  /// Log of the noise's normaliser over `count` samples, up to a term that all sensor models share: to compare their
-  /// evidence.
+  /// Log of the noise's normaliser over `count` samples [nats], up to a term that all sensor models share. Add it to
+  /// the evidence to compare sensor models.
   Scalar log_factor(Scalar dt, int count) const noexcept {
     return -independent_samples(dt, count) * sum_of_logs(noise);
   }
@@ -60,7 +60,7 @@ struct SensorModel {
 
  private:
   Scalar independence(Scalar dt) const noexcept { return std::min(Scalar(1), dt / (2 * noise_correlation_time)); }
-  /// One value for the joints from the base to the elbow, which have larger torques and errors, another for the wrist.
+  /// One value for the joints from the base to the elbow, which have larger torques and errors, and one for the wrist.
   static Vector graded(double proximal, double distal) noexcept {
     Vector v = Vector::Constant(static_cast<Scalar>(distal));
     v.template head<(Dofs + 1) / 2>().setConstant(static_cast<Scalar>(proximal));
@@ -84,7 +84,7 @@ SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::link_side() {
 template <typename Scalar, int Dofs>
 SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::joint_friction() {
   SensorModel model;
-  model.noise = graded(0.08, 0.05);  // of the friction, mostly: Coulomb's law is not all of it
+  model.noise = graded(0.08, 0.05);  // mostly errors of the friction model
   model.offset = graded(0.1, 0.05);
   model.stiction = graded(0.1, 0.05);
   model.coulomb_mean = graded(0.2, 0.075);
@@ -97,7 +97,7 @@ SensorModel<Scalar, Dofs> SensorModel<Scalar, Dofs>::joint_friction() {
 template <typename Scalar, int Dofs>
 void SensorModel<Scalar, Dofs>::validate() const {
   const auto positive = [](const Vector& v, const char* field) {
-    // Its square has to be a number, in float as well.
+    // The square must neither underflow nor overflow, even in float.
     for (int j = 0; j < Dofs; ++j)
       detail::require(v[j] >= Scalar(1e-12) && v[j] < Scalar(1e6), field, "> 0 in every joint", v[j]);
   };

@@ -12,19 +12,20 @@
 
 namespace rme {
 
-/// Selects the published solver; the defaults are the published settings. One learning rate serves kg, m and logarithms
-/// of standard deviations: with 0.025, the centre of mass jitters by about its prior's standard deviation.
+/// Selects the published solver; the defaults are the published settings. One learning rate serves for kg, m and
+/// logarithms of standard deviations. With 0.025, the centre of mass fluctuates by about its prior's standard
+/// deviation.
 struct StochasticViConfig {
   double learning_rate = 0.025;  ///< of Adam, > 0
   double gradient_norm = 1;      ///< gradients are clipped to this norm, > 0; finite values bias the optimum
-  int max_steps = 2500;          ///< bound on the work
-  int first_check = 700;         ///< steps before the first check for convergence
+  int max_steps = 2500;          ///< bound on the work, >= 1
+  int first_check = 700;         ///< steps before the first check for convergence, >= 0
   int check_interval = 10;       ///< steps between two checks, > 0
-  double small_change = 0.04;    ///< norm of the change of all eight parameters between two checks that counts as small
-  int small_changes = 2;         ///< the run ends after this many small changes in a row
-  /// Where it starts, about the prior's mean [kg, m, m, m], each > 0.
+  double small_change = 0.04;    ///< a change of the eight parameters between two checks is small below this norm, >= 0
+  int small_changes = 2;         ///< the run ends after this many small changes in a row, >= 1
+  /// Standard deviations of q at the start [kg, m, m, m], each > 0; its mean is then the prior's.
   std::array<double, 4> initial_deviation = {1, 0.05, 0.05, 0.1};
-  int evidence_draws = 100;  ///< over which the reported ELBO is averaged, > 0
+  int evidence_draws = 100;  ///< number of draws over which the reported ELBO is averaged, > 0
 };
 
 /// Maximises the ELBO of a diagonal Gaussian q = N(mu, diag(exp(2 s))) by its one-sample reparametrised gradient: with
@@ -32,16 +33,16 @@ struct StochasticViConfig {
 ///
 ///     d/dmu = g,   d/ds = g exp(s) epsilon + 1                               (docs/theory.md (T44))
 ///
-/// with Adam [Kingma and Ba 2015], decay rates 0.9 and 0.999. The last iterate is the result, noise included. The work
-/// is bounded, but too much for a control tick (docs/performance.md). No allocation.
+/// with Adam (Kingma and Ba, 2015), decay rates 0.9 and 0.999. The last iterate is the result, noise included. The work
+/// is bounded, but too much for a control tick (docs/performance.md). No allocation. The settings are not checked.
 /// @param log_likelihood  callable (const Vector4& theta, Vector4& gradient) -> Scalar, noexcept: log p(y | theta) up
 ///                        to a constant, which is then that of InferenceResult::log_evidence
 /// @param prior           over (m, r), covariance positive definite
 /// @param[out] result     the last iterate; as it was if the status is NonFiniteInput or NotPositiveDefinite
 /// @param config          the defaults are the published ones
-/// @param random          a generator in the sense of the standard library, advanced; it must not throw
-/// @return Ok; NotConverged: max_steps is reached, as usual, and the result is valid; NonFiniteInput, also if the
-///         likelihood is not finite; NotPositiveDefinite: the prior's covariance
+/// @param random          a generator in the sense of the standard library, which is advanced; it must not throw
+/// @return Ok; NotConverged (max_steps was reached; the result is valid); NonFiniteInput, also if the likelihood is not
+///         finite; NotPositiveDefinite (the prior's covariance)
 template <typename LogLikelihood, typename Scalar, typename Random>
 Status infer(const LogLikelihood& log_likelihood, const PayloadGaussian<Scalar>& prior, InferenceResult<Scalar>& result,
              const StochasticViConfig& config, Random& random) noexcept;
@@ -59,7 +60,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
 
 namespace detail {
 
-/// Adam with clipped gradients, for a maximum over N parameters.
+/// Adam with clipped gradients, which maximises over N parameters.
 template <typename Scalar, int N>
 class Adam {
  public:
@@ -82,7 +83,7 @@ class Adam {
 
  private:
   Scalar rate_, norm_;
-  Vector mean_ = Vector::Zero(), square_ = Vector::Zero();  // of the gradients, decaying
+  Vector mean_ = Vector::Zero(), square_ = Vector::Zero();  // decaying averages of the gradients
   Scalar mean_left_ = Scalar(1), square_left_ = Scalar(1);  // weight of their start at zero
 };
 

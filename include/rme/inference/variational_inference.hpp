@@ -11,8 +11,8 @@
 
 namespace rme {
 
-/// log p(y, theta) = L(theta) + log N(theta; prior) with its expectations under a Gaussian. L is a quartic polynomial,
-/// so each expectation is exact (Isserlis): docs/theory.md (T41).
+/// Expectations of log p(y, theta) = L(theta) + log N(theta; prior) under a Gaussian. L is a quartic polynomial, so
+/// each expectation is exact (Isserlis; docs/theory.md (T41)).
 template <typename Scalar>
 class ExpectedLogJoint {
  public:
@@ -23,7 +23,7 @@ class ExpectedLogJoint {
                    const Matrix4<Scalar>& prior_precision) noexcept
       : l_(likelihood), prior_mean_(prior_mean), prior_precision_(prior_precision) {}
 
-  /// E_q[log p(y, theta)] under q = N(mu, Sigma), up to a constant: without the term yy, which is so large that the
+  /// E_q[log p(y, theta)] under q = N(mu, Sigma), up to a constant. The term yy is left out: it is so large that the
   /// others would be lost to rounding.
   Scalar value(const Vector4<Scalar>& mu, const Matrix4<Scalar>& Sigma) const noexcept {
     const Moments q(mu, Sigma);
@@ -83,10 +83,10 @@ class ExpectedLogJoint {
   Matrix4<Scalar> prior_precision_;
 };
 
-/// Selects the Gaussian with full covariance, which is the default: in closed form, and with the correlation of mass
-/// and centre of mass.
+/// Selects the Gaussian with full covariance, which is the default. Its expectations are in closed form, and it has the
+/// correlation of mass and centre of mass.
 struct VariationalInferenceConfig {
-  int max_iterations = 50;  ///< bound on the work; about 8 are needed
+  int max_iterations = 50;  ///< bound on the number of steps; about 8 are needed
   double tolerance = 1e-4;  ///< stop when a step is below this many posterior standard deviations
 };
 
@@ -100,8 +100,9 @@ struct VariationalInferenceConfig {
 /// @param prior        over (m, r), covariance positive definite
 /// @param[out] result  the best iterate; as it was if the status is NonFiniteInput or NotPositiveDefinite
 /// @param config       bounds on the work
-/// @param start        a mean to start from; one from nearly the same data saves steps. If null, the prior's centre of
-///                     mass with the mass that fits best there. The iteration ends at a mass of the start's sign
+/// @param start        the mean to start from, 4x1; a mean from nearly the same data saves steps. If it is null, the
+///                     iteration starts at the prior's centre of mass and the mass that fits best there. The mass
+///                     keeps the sign that it has at the start
 /// @return Ok; NotConverged (result holds the best iterate); NonFiniteInput; NotPositiveDefinite (prior's covariance)
 template <typename Scalar>
 Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
@@ -136,7 +137,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
   const Matrix4<Scalar> prior_precision = prior_factor.inverse();
   const ExpectedLogJoint<Scalar> joint(likelihood, prior.mean, prior_precision);
   using std::sqrt;
-  // In float a gradient is not known better than this.
+  // In float, round-off of the gradient does not allow a smaller tolerance.
   const Scalar tolerance = std::max(Scalar(config.tolerance), 4 * sqrt(Eigen::NumTraits<Scalar>::epsilon()));
 
   // Entropy of q and normaliser of the prior; their powers of 2 pi cancel.
@@ -163,7 +164,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
 
   Iterate q;
   q.mu = start != nullptr ? *start : detail::initial_mean(likelihood, prior.mean, prior_precision);
-  // The curvature at the start is positive definite where the fit is good or the prior dominates; the prior's always.
+  // The curvature at the start is positive definite if the fit is good or the prior dominates; the prior's always is.
   q.P = joint.precision(q.mu, Matrix4<Scalar>::Zero());
   if (!invert(q)) {
     q.P = prior_precision;
@@ -177,11 +178,11 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
     ++iteration;
     const Vector4<Scalar> gradient = joint.gradient(q.mu, q.Sigma);
     const Matrix4<Scalar> target = joint.precision(q.mu, q.Sigma);
-    // ELBOs that are nearer to each other than this are the same but for round-off, as those of float soon are.
+    // A difference of two ELBOs below this is round-off. In float, differences soon become as small as that.
     const Scalar round_off = 4 * Eigen::NumTraits<Scalar>::epsilon() * std::abs(q.elbo);
     Iterate next;
     bool found = false;
-    // Where the posterior is far from Gaussian, full steps of the precision swing about the optimum; half steps settle.
+    // For a posterior far from Gaussian, full steps of the precision oscillate about the optimum; half steps do not.
     const Scalar damping = iteration <= 8 ? Scalar(1) : Scalar(0.5);
     for (Scalar step = Scalar(1); !found && step > Scalar(1e-6); step *= Scalar(0.5)) {
       next.P = q.P + damping * step * (target - q.P);
@@ -193,7 +194,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
         const auto deviation = next.Sigma.diagonal().array().sqrt();
         const Scalar moved = (direction.array().abs() / deviation).maxCoeff();
         const Scalar widened = (q.Sigma.diagonal().array().sqrt() / deviation - Scalar(1)).abs().maxCoeff();
-        // So short a step changes the ELBO by nothing that counts.
+        // Such a short step does not change the ELBO noticeably.
         if (moved < tolerance && widened < tolerance) status = Status::Ok;
       }
       found = status == Status::Ok || next.elbo >= q.elbo - round_off;

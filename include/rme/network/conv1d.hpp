@@ -5,23 +5,25 @@
 
 namespace rme {
 
-/// Cross-correlation over time with zero padding, so that as many samples come out as went in
+/// Cross-correlation over time, with zero padding so that there are as many output samples as input samples
 /// (torch.nn.Conv1d with padding (Kernel - 1) / 2):
 ///
 ///     y_t = b + sum_c sum_k W[:, c, k] x[t + k - (Kernel - 1) / 2, c]
 ///
-/// It is a Linear layer on patches: patch t holds the Kernel samples around t, channel by channel, c * Kernel + k.
+/// It is a Linear layer on patches. Patch t has the Kernel samples around t, channel by channel: entry c * Kernel + k.
 template <typename Scalar, int Samples, int In, int Out, int Kernel>
 struct Conv1d {
   static_assert(Kernel % 2 == 1, "an even kernel has no middle");
   static constexpr int kPatch = In * Kernel;         ///< numbers in a patch
   using Input = Eigen::Matrix<Scalar, Samples, In>;  ///< one sample per row
-  /// One patch per row: time is the contiguous direction here, as in the input.
+  /// One patch per row, so that time is contiguous in memory, as in the input.
   using Patches = Eigen::Matrix<Scalar, Samples, kPatch>;
 
   Linear<Scalar, kPatch, Out> patch_layer;  ///< weight: Out x (In * Kernel), PyTorch's [Out][In][Kernel] flattened
 
-  /// Writes the patches of x.
+  /// The patches of x.
+  /// @param x             Samples x In, one sample per row
+  /// @param[out] patches  Samples x kPatch, one patch per row
   static void unfold(const Input& x, Patches& patches) noexcept {
     constexpr int middle = (Kernel - 1) / 2;
     for (int c = 0; c < In; ++c) {
@@ -34,8 +36,9 @@ struct Conv1d {
     }
   }
 
-  /// @param x  Samples x In, one sample per row
-  /// @param y  Out x Samples, one sample per column
+  /// The layer's output.
+  /// @param x       Samples x In, one sample per row
+  /// @param[out] y  Out x Samples, one sample per column
   void forward(const Input& x, Eigen::Matrix<Scalar, Out, Samples>& y) const noexcept {
     Patches patches;
     unfold(x, patches);

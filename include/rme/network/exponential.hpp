@@ -31,20 +31,20 @@ Scalar exp_series(Scalar r, std::index_sequence<K...>) noexcept {
 }  // namespace detail
 
 /// exp(x) for -80 <= x <= 0, to within a few units in the last place: x = n ln 2 + r with |r| <= ln 2 / 2, and exp(r)
-/// by its Taylor series. Without branches, so that compilers vectorise loops of it and it always takes the same time.
+/// by its Taylor series. It has no branches, so that compilers vectorise its loops and it always takes the same time.
 template <typename Scalar>
 Scalar softmax_exp(Scalar x) noexcept {
   static_assert(std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>);
   if constexpr (FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 2) {
-    return std::exp(x);  // sums are not rounded to Scalar here
+    return std::exp(x);  // here, sums are not rounded to Scalar, which the code below needs
   } else {
     constexpr bool is_float = std::is_same_v<Scalar, float>;
     using Bits = std::conditional_t<is_float, std::uint32_t, std::uint64_t>;
     constexpr int mantissa = is_float ? 23 : 52;
     constexpr Bits exponent_of_one = is_float ? 127 : 1023;
-    // Of a number this large the last bit is worth 1: adding it rounds, and leaves n in the low bits.
+    // In a number this large, the last bit is worth 1. So adding it rounds to an integer n, which is in the low bits.
     constexpr Scalar shift = Scalar(1.5) * Scalar(Bits(1) << mantissa);
-    // ln 2 in two parts, the first of so few bits that its product with n is exact.
+    // ln 2 in two parts. The first has so few bits that its product with n is exact.
     constexpr Scalar ln2_high = Scalar(is_float ? 0.693359375 : 0x1.62e42feep-1);
     constexpr Scalar ln2_low = Scalar(is_float ? -2.1219444005469057e-4 : 0x1.a39ef35793c76p-33);
     const Scalar shifted = x * Scalar(1.4426950408889634) + shift;

@@ -14,18 +14,18 @@
 
 namespace rme {
 
-/// The contents of a weights file. As large as its weights, 213 KB in float: not on a small stack.
+/// The contents of a weights file. It holds the weights by value, 213 KB in float: do not put it on a small stack.
 template <typename Scalar, typename Architecture = PublishedArchitecture>
 struct MismatchModel {
   std::string robot;                                     ///< the arm it was trained for, e.g. "Franka Emika Panda"
-  std::string end_effector;                              ///< the frame that it means, e.g. "flange"
+  std::string end_effector;                              ///< the frame that "end effector" means, e.g. "flange"
   nlohmann::json training = nlohmann::json::object();    ///< how it was trained, free-form
   MismatchNetworkWeights<Scalar, Architecture> weights;  ///< of the network
 };
 
 /// The model that a JSON value describes.
-/// @throws std::invalid_argument naming the first field that is missing, surplus, of the wrong type, shape or
-///         architecture, or not a finite number in Scalar, with what was expected there and what came
+/// @throws std::invalid_argument naming the first field that is missing, unknown, of another type, shape or
+///         architecture, or not a finite number in Scalar, with what was expected and what was found
 template <typename Scalar, typename Architecture = PublishedArchitecture>
 MismatchModel<Scalar, Architecture> model_from_json(const nlohmann::json& file);
 
@@ -48,7 +48,7 @@ inline std::string join(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
 }
 
-/// Refuses whatever is not an object with exactly these keys.
+/// Refuses any value but an object with exactly these keys.
 inline void require_keys(const nlohmann::json& object, const std::string& path,
                          std::initializer_list<const char*> keys) {
   if (!object.is_object()) refuse_json(path.empty() ? "weights file" : path, "an object", describe(object));
@@ -62,7 +62,7 @@ inline void require_keys(const nlohmann::json& object, const std::string& path,
   }
 }
 
-/// Refuses whatever is not this integer; "8.0" and "8" in quotes are not.
+/// Refuses any value but this integer; 8.0 and "8" are refused in place of 8.
 inline void require_integer(const nlohmann::json& object, const std::string& path, const char* key, int expected) {
   const nlohmann::json& value = object.at(key);
   if (!value.is_number_integer() || value != expected) {
@@ -76,8 +76,8 @@ inline std::string read_string(const nlohmann::json& object, const char* key) {
   return value.get<std::string>();
 }
 
-/// Appends the numbers of a nested array of `shape` at `out`, row-major. JSON knows no NaN, but a JSON value in memory
-/// may hold one.
+/// Writes the numbers of a nested array of `shape` to `out` and the following, row-major. A number must be finite: JSON
+/// text cannot contain a NaN, but a JSON value in memory can.
 template <typename Scalar, std::size_t Rank>
 void read_numbers(const nlohmann::json& value, const std::string& path, const std::array<int, Rank>& shape,
                   Scalar*& out, std::size_t axis = 0) {
@@ -109,7 +109,8 @@ nlohmann::json write_numbers(const std::array<int, Rank>& shape, const Scalar*& 
   return value;
 }
 
-/// Copying and writing a JSON value recurse: a file with a million brackets would overflow the stack.
+/// Refuses a value that is nested more deeply than `levels`. Copying and writing a JSON value recurse: a file with a
+/// million brackets would overflow the stack.
 inline void require_depth(const nlohmann::json& value, const std::string& path, int levels) {
   if (!value.is_structured()) return;
   if (levels == 0) refuse_json(path, "at most " + std::to_string(kDeepestTraining) + " levels of nesting", "more");

@@ -10,8 +10,9 @@ struct Linear {
   Eigen::Matrix<Scalar, Out, In> weight = Eigen::Matrix<Scalar, Out, In>::Zero();  ///< W, as in PyTorch
   Eigen::Matrix<Scalar, Out, 1> bias = Eigen::Matrix<Scalar, Out, 1>::Zero();      ///< b
 
-  /// @param x  In x Columns, one input per column
-  /// @param y  Out x Columns; must not alias x
+  /// The layer's output.
+  /// @param x       In x Columns, one input per column
+  /// @param[out] y  Out x Columns; must not alias x
   template <int Columns>
   void forward(const Eigen::Matrix<Scalar, In, Columns>& x, Eigen::Matrix<Scalar, Out, Columns>& y) const noexcept {
     y.noalias() = weight * x;

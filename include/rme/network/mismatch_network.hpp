@@ -12,25 +12,25 @@
 
 namespace rme {
 
-/// Normalisation, convolution over time, positional embedding, self-attention, mean over time, the shared MLP block,
-/// head (docs/weights.md has the formulas).
+/// Its layers are: normalisation, convolution over time, positional embedding, self-attention, mean over time, the
+/// shared MLP block, head (docs/weights.md has the formulas).
 ///
 /// Consecutive linear layers are merged at construction, in double:
 ///  - convolution, positional embedding and projection to queries and keys become one layer on patches of the input;
-///  - the mean over time is taken over the attention weights instead of the outputs, so that each head needs its values
-///    at one weighted mean of the samples only;
+///  - the mean over time is taken of the attention weights instead of the outputs, so that each head computes its
+///    values only for one weighted mean of the samples;
 ///  - the MLP's last layer becomes part of the head.
-/// The output projection is not merged with the MLP's first layer: that would save a fortieth of the arithmetic, and
+/// The output projection is not merged with the MLP's first layer: that would save a fortieth of the arithmetic, but
 /// make the weights a quarter larger.
 ///
 /// Real time: forward() allocates nothing, throws nothing and always does the same arithmetic. The object holds
-/// everything by value, 190 KB in float and 380 KB in double: let it be a member, static, or on the heap.
+/// everything by value, 190 KB in float and 380 KB in double: do not put it on a small stack.
 template <typename Scalar, typename Architecture = PublishedArchitecture>
 class MismatchNetwork {
   using A = Architecture;
 
  public:
-  using Weights = MismatchNetworkWeights<Scalar, Architecture>;  ///< the weights that it is constructed from
+  using Weights = MismatchNetworkWeights<Scalar, Architecture>;  ///< what it is constructed from
   /// Pseudo-wrenches, one sample per row, oldest first: force [N] x3, moment [N m] x3, in the axes of frame().
   using Window = Eigen::Matrix<Scalar, A::kSamples, A::kChannels>;
   using Output = Eigen::Matrix<Scalar, A::kOutputs, 1>;  ///< theta = (m [kg], r_x, r_y, r_z [m])
@@ -46,7 +46,7 @@ class MismatchNetwork {
   Status forward(const Window& window, Output& out) const noexcept;
 
   InputFrame frame() const noexcept { return frame_; }  ///< axes of the window's pseudo-wrenches
-  /// What forward() does to the window first.
+  /// The normalisation that forward() applies to the window first.
   const Normalization<Scalar, A::kChannels>& normalization() const noexcept { return normalization_; }
 
  private:
@@ -59,10 +59,10 @@ class MismatchNetwork {
 
   InputFrame frame_;
   Normalization<Scalar, A::kChannels> normalization_;
-  Matrix<kPatch, 2 * kEmbed> query_key_weight_;         // on the right of the patches, one per row
-  Matrix<A::kSamples, 2 * kEmbed> query_key_position_;  // its bias, different for each sample
-  Matrix<kEmbed, kPatch> value_weight_;                 // of the weighted mean patch of each head
-  Matrix<kEmbed, A::kSamples> value_position_;          // of the weights themselves: the position's share
+  Matrix<kPatch, 2 * kEmbed> query_key_weight_;         // queries and keys = patches * this + query_key_position_
+  Matrix<A::kSamples, 2 * kEmbed> query_key_position_;  // the bias, different for each sample
+  Matrix<kEmbed, kPatch> value_weight_;                 // multiplies the weighted mean patch of each head
+  Matrix<kEmbed, A::kSamples> value_position_;          // multiplies the attention weights: the position's share
   Linear<Scalar, kEmbed, kEmbed> project_;              // output projection
   Linear<Scalar, kEmbed, A::kMlpHidden> expand_;        // mlp.0
   Linear<Scalar, A::kMlpHidden, kEmbed> contract_;      // mlp.2
@@ -89,7 +89,7 @@ Linear<Scalar, In, Out> cast(const Linear<double, In, Out>& layer) {
   return {layer.weight.template cast<Scalar>(), layer.bias.template cast<Scalar>()};
 }
 
-/// Every number must be finite, and every standard deviation positive.
+/// Refuses weights unless every number is finite and every standard deviation is positive.
 template <typename Weights>
 void require_usable(const Weights& weights) {
   const auto check = [](const char* name, const auto& array) {
@@ -149,7 +149,7 @@ Status MismatchNetwork<Scalar, Architecture>::forward(const Window& window, Outp
 
   Matrix<A::kSamples, 2 * kEmbed> query_key = query_key_position_;
   query_key.noalias() += patches * query_key_weight_;
-  Matrix<kEmbed, 1> pooled;  // values under the mean attention, all heads
+  Matrix<kEmbed, 1> pooled;  // mean of the heads' outputs over time
   for (int h = 0; h < A::kHeads; ++h) {
     const int row = h * kHeadSize;
     const Matrix<A::kSamples, 1> mean_weights = mean_attention_weights<Scalar, A::kSamples>(

@@ -19,52 +19,56 @@ namespace rme {
 template <typename Scalar>
 struct NetworkPriorConfig {
   /// Standard deviations around the guess (m [kg], r_x, r_y, r_z [m]), each > 0. That of the mass is the published one:
-  /// the likelihood knows the mass better. Those of the centre of mass are the network's usual error across gravity.
+  /// it is large, since the samples themselves determine the mass better. Those of the centre of mass are the network's
+  /// usual error across gravity.
   Vector4<Scalar> standard_deviation = {Scalar(0.5), Scalar(0.02), Scalar(0.02), Scalar(0.02)};
-  /// If a sample of the window is more than this many standard deviations of the training data from their mean, the
-  /// network is not asked, and `unknown` is the prior; > 0.
+  /// If a channel of a sample is more than this many standard deviations of the training data from their mean, the
+  /// network is not used, and `unknown` is the prior; > 0.
   Scalar farthest = Scalar(4);
-  FixedPrior<Scalar> unknown;  ///< the prior where the network is not asked, and along gravity
+  FixedPrior<Scalar> unknown;                            ///< the prior where the network is not used, and along gravity
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
-  double spacing = 0.01;                                 ///< between the samples that the network sees [s], > 0
-  Scalar damping = Scalar(0.01);  ///< lambda of the pseudo-wrench, as in training, > 0; the published one by default
+  double spacing = 0.01;          ///< between the samples that the network takes [s]: 1 to 1e5 periods
+  Scalar damping = Scalar(0.01);  ///< lambda of the pseudo-wrench [m^2], > 0: must be as in training
 };
 
-/// A Gaussian centred on the network's output, except along gravity. That part of the centre of mass does not show at
-/// rest, so that the network's guess of it is noise around the mean of its training data; the fixed prior is used
-/// there. With d the direction of gravity in end-effector axes,
+/// A Gaussian around the network's output, except along gravity. That part of the centre of mass does not show at rest,
+/// so the network's guess of it is the mean of its training data plus noise. There, the fixed prior is used. With d the
+/// direction of gravity in end-effector axes,
 ///
 ///     r = (1 - d d^T) r_network + d d^T r_fixed, and the covariance likewise.
 ///
-/// For a window far from the training data, the fixed prior is used instead. What a guess is worth: docs/weights.md.
+/// For a window far from the training data, the fixed prior is used instead of the network. docs/weights.md shows how
+/// much the guess improves the estimates.
 ///
 ///     const auto network = std::make_unique<MismatchNetwork<float>>(model.weights);  // must outlive the prior
 ///     const NetworkPrior<double> prior(*network, 0.001);
 ///     PayloadGaussian<double> payload = prior(window, 200);  // of the newest 200 samples of a SampleWindow
 ///
-/// @tparam NetworkScalar  of the network. Weights are learned in float: a network in float is as accurate for a prior
-///                        in double as one in double, and takes half the time and half the memory
+/// @tparam NetworkScalar  of the network. Weights are learned in float: for a prior in double, a network in float is as
+///                        accurate as one in double, and needs half the time and half the memory
 template <typename Scalar, typename Architecture = PublishedArchitecture, typename NetworkScalar = float>
 class NetworkPrior {
  public:
-  using Network = MismatchNetwork<NetworkScalar, Architecture>;  ///< the network that it asks
+  using Network = MismatchNetwork<NetworkScalar, Architecture>;  ///< the network that it uses
 
   /// @param network  is kept by reference
   /// @param dt       control period [s], > 0
-  /// @param config   how far to trust the guess
+  /// @param config   settings
   /// @throws std::invalid_argument naming the field out of range
   NetworkPrior(const Network& network, double dt,
                const NetworkPriorConfig<Scalar>& config = NetworkPriorConfig<Scalar>());
 
   /// The network's output for the newest samples of the window.
-  /// @param window    samples
-  /// @param count     samples since the event, of which the network sees the newest 20 that are `spacing` apart
-  /// @param[out] out  theta; as it was if the result is false
-  /// @return false if `count` is too small or the samples are too far from the training data
+  /// @param window    the samples
+  /// @param count     number of samples since the event, at most window.size(); the network takes the newest 20 of them
+  ///                  that are `spacing` apart
+  /// @param[out] out  theta = (m [kg], r [m]), 4x1; as it was if the result is false
+  /// @return false if `count` is too small, the samples are too far from the training data, or the network or a
+  ///         pseudo-wrench gives no finite result
   template <int Dofs>
   bool guess(const SampleWindow<Scalar, Dofs>& window, std::size_t count, Vector4<Scalar>& out) const noexcept;
 
-  /// The prior of a payload that shows in the newest `count` samples of the window.
+  /// The prior of the payload in the newest `count` samples of the window, count <= window.size().
   template <int Dofs>
   PayloadGaussian<Scalar> operator()(const SampleWindow<Scalar, Dofs>& window, std::size_t count) const noexcept;
 
@@ -103,7 +107,7 @@ bool NetworkPrior<Scalar, Architecture, NetworkScalar>::guess(const SampleWindow
                                                               std::size_t count, Vector4<Scalar>& out) const noexcept {
   using Input = typename Network::Window;
   constexpr int samples = Input::RowsAtCompileTime;
-  // A shorter collection would show the network what was before the event.
+  // With fewer samples, the network's input would include samples from before the event.
   if (stride_ * samples > count) return false;
   Input input;
   for (int i = 0; i < samples; ++i) {

@@ -7,30 +7,30 @@
 
 namespace rme {
 
-/// Numerators of one head's softmax over the keys of q_t . k_s, scaled so that each row's largest is 1.
-/// @param queries     Samples x Size, one query per row, already scaled by 1 / sqrt(Size)
-/// @param keys        Samples x Size, one key per row
-/// @param numerators  Samples x Samples: row t holds query t's
-/// @return their sums, Samples x 1: each query's denominator
+/// Numerators of one head's softmax of q_t . k_s over the keys, scaled so that the largest of each row is 1.
+/// @param queries          Samples x Size, one query per row, already scaled by 1 / sqrt(Size)
+/// @param keys             Samples x Size, one key per row
+/// @param[out] numerators  Samples x Samples: row t has the numerators of query t
+/// @return the sum of each row, Samples x 1: the denominator of each query
 template <typename Queries, typename Keys, typename Scalar, int Samples>
 Eigen::Matrix<Scalar, Samples, 1> softmax_numerators(const Eigen::MatrixBase<Queries>& queries,
                                                      const Eigen::MatrixBase<Keys>& keys,
                                                      Eigen::Matrix<Scalar, Samples, Samples>& numerators) noexcept {
-  // Queries run along the contiguous direction, so that maximum, exponential and sum vectorise.
+  // Queries are contiguous in memory, so that maximum, exponential and sum vectorise.
   numerators.noalias() = queries.lazyProduct(keys.transpose());
   const Eigen::Matrix<Scalar, Samples, 1> highest = numerators.rowwise().maxCoeff();
   numerators.colwise() -= highest;
-  // Smaller ones add nothing to the sum, and arithmetic with denormal numbers takes a hundred times as long.
+  // Below -80, exponentials add nothing to the sum, and denormal numbers take a hundred times as long.
   numerators = numerators.cwiseMax(Scalar(-80));
   Scalar* const all = numerators.data();
   for (int i = 0; i < Samples * Samples; ++i) all[i] = softmax_exp(all[i]);
   return numerators.rowwise().sum();
 }
 
-/// Attention weights of one head: softmax over the keys of q_t . k_s.
-/// @param queries  Samples x Size, one query per row, already scaled by 1 / sqrt(Size)
-/// @param keys     Samples x Size, one key per row
-/// @param weights  Samples x Samples: row t has the weights of query t over the samples; each row sums to 1
+/// Attention weights of one head: the softmax of q_t . k_s over the keys.
+/// @param queries       Samples x Size, one query per row, already scaled by 1 / sqrt(Size)
+/// @param keys          Samples x Size, one key per row
+/// @param[out] weights  Samples x Samples: row t has the weights of query t over the samples; each row sums to 1
 template <typename Queries, typename Keys, typename Scalar, int Samples>
 void attention_weights(const Eigen::MatrixBase<Queries>& queries, const Eigen::MatrixBase<Keys>& keys,
                        Eigen::Matrix<Scalar, Samples, Samples>& weights) noexcept {
@@ -59,10 +59,11 @@ struct SelfAttention {
   using Sequence = Eigen::Matrix<Scalar, Embed, Samples>;  ///< one sample per column
 
   Linear<Scalar, Embed, 3 * Embed> in_proj;  ///< queries, then keys, then values; head h is rows h * kHeadSize onwards
-  Linear<Scalar, Embed, Embed> out_proj;     ///< of the heads' outputs, one after the other
+  Linear<Scalar, Embed, Embed> out_proj;     ///< its input is the heads' outputs, one after the other
 
-  /// @param x  Embed x Samples
-  /// @param y  Embed x Samples
+  /// The layer's output.
+  /// @param x       Embed x Samples
+  /// @param[out] y  Embed x Samples
   void forward(const Sequence& x, Sequence& y) const noexcept {
     Eigen::Matrix<Scalar, 3 * Embed, Samples> projected;
     in_proj.forward(x, projected);

@@ -9,13 +9,13 @@ namespace rme {
 
 /// The axes in which a network expects its pseudo-wrenches.
 enum class InputFrame : std::uint8_t {
-  World,        ///< as in the paper; such a network is of use in the poses that it was trained in
-  EndEffector,  ///< diag(R^T, R^T) w: the input shows gravity's direction, so that one network serves every pose
+  World,        ///< as in the paper; such a network works only in the poses that it was trained in
+  EndEffector,  ///< diag(R^T, R^T) W: the input shows gravity's direction, so that one network serves every pose
 };
 
 /// The weights of a MismatchNetwork: an aggregate of row-major arrays under PyTorch's names (dots become underscores).
-/// It can be a constant in a program without files or JSON; examples/training/weights_to_header writes such a constant.
-/// Its size is 213 KB in float, 426 KB in double.
+/// In a program without files or JSON it can be a constant, which examples/training/weights_to_header writes. Its size
+/// is 213 KB in float, 426 KB in double.
 template <typename Scalar, typename Architecture = PublishedArchitecture>
 struct MismatchNetworkWeights {
   using A = Architecture;  ///< the architecture's sizes
@@ -42,8 +42,8 @@ struct MismatchNetworkWeights {
   Array<A::kOutputs> head_bias{};                                              ///< [kg], then [m]
 };
 
-/// Calls visit(name, shape, array) for each learned tensor, in the order of the members and under PyTorch's name; shape
-/// is a std::array<int, 1..3>, array is row-major.
+/// Calls visit(name, shape, array) for each learned tensor, in the order of the members. name is PyTorch's; shape is a
+/// std::array of one to three ints; array is row-major.
 template <typename Weights, typename Visitor>
 void for_each_tensor(Weights& w, Visitor&& visit) {
   using A = typename Weights::A;
@@ -63,7 +63,7 @@ void for_each_tensor(Weights& w, Visitor&& visit) {
   visit("head.bias", std::array{A::kOutputs}, w.head_bias);
 }
 
-/// Learned numbers of an architecture; the normalisation is not learned.
+/// Number of learned parameters of an architecture; the normalisation is not learned.
 template <typename Architecture>
 constexpr int parameter_count() {
   using A = Architecture;

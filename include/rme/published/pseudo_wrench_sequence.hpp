@@ -8,15 +8,16 @@
 
 namespace rme {
 
-/// M uniformly spaced pseudo-wrenches out of N samples (paper, Section 4.1 and Table 4). The window is divided into M
-/// equal parts, of which the newest sample is taken, as in training; the paper does not say which.
-/// @param count    N, samples in the window
-/// @param at       callable (int i) -> Proprioception<Scalar, Dofs>, noexcept, i from 0 (the oldest) to count - 1
-/// @param damping  lambda of pseudo_wrench(), > 0; the paper's value is 1e-2
-/// @param frame    axes of the wrenches: world as in the paper, or end effector
-/// @param[out] sequence  M x 6, oldest first: force [N], moment [N m]; of no use unless the status is Ok
-/// @return Ok; NotReady (fewer samples than M); NonFiniteInput; NotPositiveDefinite: the Jacobian is so large that the
-///         damping is lost to rounding
+/// M uniformly spaced pseudo-wrenches (docs/theory.md (T36)) out of N samples (paper, Section 4.1 and Table 4). The
+/// window is divided into M equal parts, and the newest sample of each part is taken, as in training. The paper does
+/// not say which sample it takes.
+/// @param count          N, samples in the window
+/// @param at             callable (int i) -> Proprioception<Scalar, Dofs>, noexcept, i from 0 (the oldest) to count - 1
+/// @param damping        lambda of pseudo_wrench() [m^2], > 0; the paper's value is 1e-2
+/// @param frame          axes of the wrenches: world as in the paper, or end effector
+/// @param[out] sequence  M x 6, oldest first: force [N], moment [N m]; not usable unless the status is Ok
+/// @return Ok; NotReady (fewer samples than M); NonFiniteInput; NotPositiveDefinite (the damping is not > 0, or the
+///         Jacobian is so large that the damping is lost to rounding)
 template <typename Scalar, int Dofs, typename At, typename NetworkScalar, int M>
 Status pseudo_wrench_sequence(int count, const At& at, Scalar damping, InputFrame frame,
                               Eigen::Matrix<NetworkScalar, M, 6>& sequence) noexcept {

@@ -15,14 +15,14 @@ template <typename Scalar>
 struct PublishedPipelineConfig {
   MismatchDetectorConfig detector = MismatchDetectorConfig::published();  ///< of ||tau_ext||_2
   double collection = 0.2;        ///< how long samples are collected after the detection [s]: M to 1e6 samples
-  Scalar damping = Scalar(0.01);  ///< lambda of the pseudo-wrenches that the network sees, > 0
-  /// Of the prior around the network's output (m [kg], r_x, r_y, r_z [m]), each > 0.
+  Scalar damping = Scalar(0.01);  ///< lambda of the network's pseudo-wrenches [m^2], > 0: must be the training's
+  /// Standard deviations of the prior around the network's output (m [kg], r_x, r_y, r_z [m]), each > 0.
   Vector4<Scalar> standard_deviation = {Scalar(0.5), Scalar(0.02), Scalar(0.02), Scalar(0.05)};
   PublishedLikelihoodConfig likelihood;                  ///< of the samples
   StochasticViConfig inference;                          ///< with its early stop
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< g [m/s^2], world axes
 
-  /// All but the detector's settings, which the detector checks.
+  /// Checks all settings but the detector's, which the detector checks.
   /// @param dt  control period [s]
   /// @throws std::invalid_argument naming the field out of range
   void validate(double dt) const;

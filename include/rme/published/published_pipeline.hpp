@@ -29,26 +29,27 @@ namespace rme {
 /// Rapid mismatch estimation as in the paper (Section 4.1, Algorithm 1, Appendices A to F): for its tables and for
 /// comparisons. For a robot, use Estimator.
 ///
-///  1. Algorithm 1 watches ||tau_ext||_2. A removal is a change as well, and is estimated as an attachment is.
+///  1. Algorithm 1 watches ||tau_ext||_2. A removal is a change as well, and starts an estimate in the same way.
 ///  2. The samples of the 200 ms after the detection are collected: N = 200 at 1 kHz.
-///  3. M = 20 pseudo-wrenches of them go to the network, whose output is the mean of the prior.
-///  4. 50 of them make the likelihood: raw tau_ext, a payload at rest, white noise, no offset and no friction.
+///  3. M = 20 pseudo-wrenches from these samples go to the network, whose output is the mean of the prior.
+///  4. 50 of the samples make the likelihood: raw tau_ext, a payload at rest, white noise, no offset and no friction.
 ///  5. Stochastic variational inference; the diagonal Gaussian that it ends with is the estimate.
 ///  6. compensation() uses it from that tick on, and Algorithm 1 watches again.
 ///
-/// Algorithm 1 looks at the last 500 ms only. So a change that has settled is detected and estimated again for as long
-/// as its beginning is within them: usually twice. A sharp change may be detected before the means move; its first
-/// estimate then includes the transient. While samples are collected the detector is updated, and its result ignored.
+/// Algorithm 1 looks at the last 500 ms only. So a change that has settled is detected and estimated again as long as
+/// its beginning is in these 500 ms: usually there are two estimates. A sharp change may be detected before the means
+/// move; its first estimate then includes the transient. While samples are collected, the detector is updated, but its
+/// result is ignored.
 ///
 /// The inference amplifies rounding errors: its steps are about as long as the prior's standard deviations. So a change
 /// of the torque by one part in 10^15 may move the estimate by centimetres. Compilers that round differently give
 /// different estimates from the same seed.
 ///
-/// The tick that ends a collection runs the whole inference, about half a millisecond for 2,500 steps on a desktop: too
-/// long for the loop of a host. In the paper it ran in a process of its own, for 226 ms. No call but the constructor
-/// allocates or throws; the work is bounded.
-/// @tparam Network  MismatchNetwork, or a type with its Window, Output, frame() and forward(), all noexcept; FixedGuess
-///                  for none. Its Scalar may differ from the pipeline's
+/// The tick that ends a collection runs the whole inference, which takes about half a millisecond for 2,500 steps on a
+/// desktop: too long for the loop of a host. In the paper, the inference ran in a process of its own and took 226 ms.
+/// No call but the constructor allocates or throws; the work is bounded.
+/// @tparam Network  MismatchNetwork, or a type with its Window, Output, frame() and forward(), all noexcept; without a
+///                  network, FixedGuess. Its Scalar may differ from the pipeline's
 template <typename Scalar, int Dofs, typename Network = MismatchNetwork<float>>
 class PublishedPipeline {
  public:
@@ -59,27 +60,27 @@ class PublishedPipeline {
   /// @param dt       control period [s], > 0
   /// @param network  is kept by reference
   /// @param config   the defaults are the published ones
-  /// @param seed     of the random generator, a std::mt19937_64 whose draws go from one estimate on to the next
+  /// @param seed     of the random generator, a std::mt19937_64, which is not seeded again between estimates
   /// @throws std::invalid_argument naming the field out of range
   PublishedPipeline(double dt, const Network& network, const Config& config = Config(), std::uint64_t seed = 1);
-  /// A temporary would be gone by the first tick.
+  /// Deleted: a temporary network would no longer exist at the first tick.
   PublishedPipeline(double, const Network&&, const Config& = Config(), std::uint64_t = 1) = delete;
 
-  /// Advances by one period.
+  /// Advances by one period dt.
   /// @param sample  tau_ext (what the environment exerts on the arm), J and R are used; the rest must be plausible
   /// @return Ok; NonFiniteInput or NotARotation: the pipeline is then as it was, and the tick does not count
   Status update(const Proprioception<Scalar, Dofs>& sample) noexcept;
 
   const State& state() const noexcept { return state_; }  ///< after the last update()
-  /// tau_comp = -J^T w(theta_hat) [N m], Dofs x 1, theta_hat the mean of the last estimate; zero before the first. For
-  /// a pose that is not plausible (plausible.hpp) it is that of the last good sample's pose.
+  /// tau_comp = -J^T w(theta_hat) [N m], Dofs x 1, where theta_hat is the mean of the last estimate; zero before the
+  /// first. If the pose is not plausible (plausible.hpp), that of the last good sample is used.
   /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
   /// @param rotation  R, end-effector axes to world axes
   Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept;
   /// Seconds since construction or reset.
   double time() const noexcept { return static_cast<double>(ticks_) * dt_; }
   const Config& config() const noexcept { return config_; }  ///< as constructed
-  /// An empty hand and no past, and the random generator at its seed.
+  /// Returns to the state after construction: an empty hand, no samples, the random generator at its seed.
   void reset() noexcept;
 
  private:
@@ -156,7 +157,7 @@ void PublishedPipeline<Scalar, Dofs, Network>::make_estimate() noexcept {
   state_.iterations = result.iterations;
 }
 
-/// What the window says; it then holds the collection and nothing else.
+/// Infers the payload from the window, which contains exactly the collection when this is called.
 template <typename Scalar, int Dofs, typename Network>
 Status PublishedPipeline<Scalar, Dofs, Network>::infer_payload(InferenceResult<Scalar>& result) noexcept {
   using Sample = Proprioception<Scalar, Dofs>;

@@ -9,7 +9,7 @@ namespace rme {
 /// What a PublishedPipeline is doing.
 enum class PublishedPhase : std::uint8_t {
   Watching,    ///< waits for Algorithm 1 to detect a mismatch
-  Collecting,  ///< has detected one; gathers the samples of an estimate
+  Collecting,  ///< has detected a mismatch; collects the samples of an estimate
 };
 
 /// The enumerator's name, for logs.
@@ -23,20 +23,20 @@ constexpr const char* to_string(PublishedPhase phase) noexcept {
   return "unknown";
 }
 
-/// The output of a PublishedPipeline; no field is true for one tick only. Times count from construction or reset [s].
+/// The output of a PublishedPipeline; no field is set for one tick only. Times count from construction or reset [s].
 template <typename Scalar>
 struct PublishedState {
   PublishedPhase phase = PublishedPhase::Watching;  ///< watching or collecting
-  std::uint64_t detections = 0;                     ///< collections begun so far
-  std::uint64_t estimates = 0;                      ///< made so far
-  double detected_at = 0;                           ///< time of the last detection; means nothing before the first
-  double estimated_at = 0;                          ///< time of the last estimate; means nothing before the first
-  /// The last estimate: of everything in the hand, not of what was added last. Its covariance is diagonal. Before the
-  /// first the mean is zero, an empty hand, and the covariance means nothing.
+  std::uint64_t detections = 0;                     ///< number of collections that have begun
+  std::uint64_t estimates = 0;                      ///< number of estimates so far
+  double detected_at = 0;                           ///< time of the last detection; 0 before the first
+  double estimated_at = 0;                          ///< time of the last estimate; 0 before the first
+  /// The last estimate: of everything in the hand, not of what was added last [kg, m, m, m]. Its covariance is
+  /// diagonal. Before the first estimate, the mean is zero (an empty hand) and the covariance has no meaning.
   PayloadGaussian<Scalar> posterior;
-  int iterations = 0;  ///< steps of the variational inference that made it
-  /// How the last inference ended: NotReady before the first; Ok (early stop) or NotConverged (all steps taken), both
-  /// with a valid estimate; otherwise it gave no estimate, and the one before it stays.
+  int iterations = 0;  ///< steps of the variational inference for the last estimate
+  /// How the last inference ended. NotReady: there was none yet. Ok (early stop) and NotConverged (all steps were
+  /// taken): the estimate is valid. Otherwise the inference gave no estimate, and the previous one stays.
   Status outcome = Status::NotReady;
 };
 

@@ -1,23 +1,22 @@
 #pragma once
-/// The direction and share of dry friction in each joint.
+/// The direction of dry friction in each joint.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/types.hpp>
 
 namespace rme {
 
-/// The share of Coulomb friction that acts against each joint's motion, d in [-1, 1]: friction torque = -coulomb d.
+/// The direction of Coulomb friction in each joint, d in [-1, 1]: the friction torque is -coulomb d.
 ///
-/// A moving joint has d = sign(dq). A joint that stops keeps d at first. From then on friction balances every change of
-/// the other torques. The joint does not move, so that its torques cancel, and as long as the payload's torque is
-/// steady a change of tau_ext is a change of friction:
+/// A moving joint has d = sign(dq). A joint that stops keeps d at first. At rest, its torques balance. As long as the
+/// payload's torque is steady, a change of tau_ext is therefore a change of friction:
 ///
 ///     d = d_stop - (tau_ext - tau_ext at the stop) / coulomb     (docs/theory.md (T38))
 ///
 /// This matters when a payload has just been compensated: the controller pulls the arm back, and friction then acts in
 /// the other direction. With the last direction of motion as d, the error would be up to twice the friction. While the
-/// flange accelerates, the payload's torque is not steady, and d stays as it is. When a payload is known to come, or the
-/// torque changes by more than friction can, d returns to its value before the change and keeps it for 0.1 s.
+/// flange accelerates, the payload's torque is not steady, and d stays as it is. When the payload is known to change,
+/// or the torque changes by more than friction can, d returns to its value before the change and keeps it for 0.1 s.
 template <typename Scalar, int Dofs>
 class FrictionDirection {
  public:
@@ -25,7 +24,7 @@ class FrictionDirection {
 
   /// @param dt             control period [s], > 0; the owner checks it
   /// @param rest_velocity  joints slower than this count as resting [rad/s]
-  /// @param coulomb        friction to expect in tau_ext [N m]; a joint with 0 keeps its last direction
+  /// @param coulomb        Coulomb friction to expect in tau_ext [N m], >= 0; with 0, a joint keeps its last direction
   FrictionDirection(double dt, Scalar rest_velocity, const Vector& coulomb) noexcept
       : rest_velocity_(rest_velocity),
         coulomb_(coulomb),
@@ -39,7 +38,7 @@ class FrictionDirection {
   /// @param tau             external torque, with the observer's lag removed [N m]
   /// @param dq              joint velocity [rad/s]
   /// @param acceleration    of the flange, linear [m/s^2]
-  /// @param payload_steady  false while the payload is known to come or go
+  /// @param payload_steady  false while the payload is known to change
   /// @return d; 0 for a joint that has not moved yet
   const Vector& update(const Vector& tau, const Vector& dq, const Vector3<Scalar>& acceleration,
                        bool payload_steady = true) noexcept {
@@ -64,7 +63,7 @@ class FrictionDirection {
         stop_level_[j] += change[j];
       } else if (coulomb_[j] > 0) {
         const Scalar d = stop_direction_[j] - (level_[j] - stop_level_[j]) / coulomb_[j];
-        if (std::abs(d) > static_cast<Scalar>(kBeyond)) {  // something else that does not move the joint
+        if (std::abs(d) > static_cast<Scalar>(kBeyond)) {  // not friction: another torque on a resting joint
           restore(j);
           hold_[j] = settling_;
         } else {
@@ -78,7 +77,7 @@ class FrictionDirection {
     return direction_;
   }
 
-  /// As constructed: no joint has moved.
+  /// Returns to the state after construction: no joint has moved.
   void reset() noexcept {
     started_ = false;
     hold_.setConstant(settling_);
@@ -92,17 +91,17 @@ class FrictionDirection {
   }
 
  private:
-  // What has just changed was not friction: back to what was before.
+  // The change was not friction: returns to the direction before it.
   void restore(int j) noexcept {
     direction_[j] = stop_direction_[j] = slow_[j];
     stop_level_[j] = level_[j];
   }
 
-  static constexpr double kSmoothing = 0.01;  // time constant: a single sample's noise is a share of the friction [s]
-  static constexpr double kSettling = 0.1;    // by then a filter shows what has come, be it payload or offset [s]
-  static constexpr double kMemory = 0.2;      // time constant: what d was before a change that has just begun [s]
-  static constexpr double kBeyond = 2;        // Coulomb friction twice the expected is still friction
-  static constexpr double kSteady = 0.5;      // below it 1 kg on an arm's length counts as steady [m/s^2]
+  static constexpr double kSmoothing = 0.01;  // time constant, since a sample's noise is not small beside friction [s]
+  static constexpr double kSettling = 0.1;    // after it, the filtered torque shows the whole change [s]
+  static constexpr double kMemory = 0.2;      // time constant of the average that gives d before a change [s]
+  static constexpr double kBeyond = 2;        // up to twice the expected Coulomb friction is taken for friction
+  static constexpr double kSteady = 0.5;      // acceleration below which the payload's torque counts as steady [m/s^2]
 
   Scalar rest_velocity_;
   Vector coulomb_;
@@ -110,9 +109,9 @@ class FrictionDirection {
   int settling_;
   bool started_ = false;
   Vector direction_, stop_direction_, slow_;
-  Vector level_, stop_level_;                 // of tau, smoothed: now, and when the joint stopped [N m]
-  Eigen::Matrix<int, Dofs, 1> moved_, hold_;  // in the last tick: 0 or 1; ticks for which d stays as it is
-  Vector3<Scalar> acceleration_;              // smoothed
+  Vector level_, stop_level_;                 // smoothed tau: now, and when the joint stopped [N m]
+  Eigen::Matrix<int, Dofs, 1> moved_, hold_;  // 1 if the joint moved in the last tick; ticks for which d stays
+  Vector3<Scalar> acceleration_;              // smoothed, of the flange [m/s^2]
 };
 
 }  // namespace rme

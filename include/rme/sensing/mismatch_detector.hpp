@@ -1,5 +1,5 @@
 #pragma once
-/// Detects that something was attached, added or removed (Algorithm 1 of the paper).
+/// Detects that an object was attached, added or removed (Algorithm 1 of the paper).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,21 +13,22 @@
 
 namespace rme {
 
-/// Settings of MismatchDetector. Times are ages: seconds before the newest sample.
+/// Settings of MismatchDetector. Ages are seconds before the newest sample.
 struct MismatchDetectorConfig {
-  double window = 0.5;                   ///< how far back the change is looked for [s]
-  double activation_threshold = 0.7;     ///< change that counts as rapid [N m], > 0
+  double window = 0.5;                   ///< age of the oldest sample, compared with the newest [s]: 2 to 1e7 periods
+  double activation_threshold = 0.7;     ///< a change above this is rapid [N m], > 0
   double stabilisation_threshold = 0.2;  ///< how far the means below may lie from the newest one [N m], > 0
-  double stabilisation_ratio = 0.05;     ///< the same as a fraction of the change; the larger counts, >= 0
-  double newest_average = 0.01;          ///< span of the newest mean [s]
-  double check_average = 0.02;           ///< span of each of the means compared with it [s]
-  std::array<double, 3> check_age = {0.05, 0.13, 0.21};  ///< age at which each of those spans ends [s]
-  /// Span of the means whose difference is the rapid change [s]; 0 compares two single samples, as published. A single
-  /// sample jumps at once, while the stabilisation means are still at the old level: so the published form fires a few
-  /// milliseconds after a sharp step, and its collection includes the transient. Means do not have this defect.
+  double stabilisation_ratio = 0.05;     ///< the same as a share of the change, 0 <= ratio < 1; the larger counts
+  double newest_average = 0.01;          ///< span of the newest mean [s], 0 to window
+  double check_average = 0.02;           ///< span of each of the means compared with it [s], 0 to window
+  std::array<double, 3> check_age = {0.05, 0.13, 0.21};  ///< of the newest sample in each span [s], >= 0
+  /// Span of the two means whose difference is the rapid change [s], 0 to window. 0 compares two single samples, as
+  /// published. A single sample jumps at once, while the stabilisation means are still at the old level. So the
+  /// published form detects a sharp step after a few milliseconds, and its collection includes the transient. With
+  /// means this does not happen.
   double edge_average = 0.02;
 
-  /// Algorithm 1 to the letter, for the norm of tau_ext.
+  /// Algorithm 1 as published, for the norm of tau_ext.
   static MismatchDetectorConfig published() {
     MismatchDetectorConfig config;
     config.activation_threshold = 0.9;
@@ -37,14 +38,14 @@ struct MismatchDetectorConfig {
   }
 };
 
-/// Watches a signal s of `Channels` numbers: a mismatch is a rapid change over the window that has since settled
-/// (docs/theory.md (T49)),
+/// Watches a signal s of `Channels` numbers. A mismatch is detected if the signal has changed rapidly over the window
+/// and has settled since (docs/theory.md (T49)):
 ///
 ///     ||s(newest) - s(oldest)|| > activation    and    ||mean_i - mean(newest)|| <= stabilisation,  i = 1, 2, 3
 ///
-/// With one channel, s = ||tau_ext||_2, this is Algorithm 1. With one channel per joint it also detects changes that do
-/// not change the norm. Each mean is a difference of two running sums, kept as 64-bit integers in steps of 2^-32 N m:
-/// so update() is O(Channels) for any span, and rounding errors do not accumulate.
+/// With one channel, s = ||tau_ext||_2, this is Algorithm 1. With one channel per joint, changes that leave the norm as
+/// it was are detected too. Each mean is the difference of two running sums, which are 64-bit integers in units of
+/// 2^-32 N m. So update() is O(Channels) for any span, and rounding errors do not accumulate.
 template <int Channels>
 class MismatchDetector {
  public:
@@ -68,7 +69,7 @@ class MismatchDetector {
 
  private:
   static constexpr double kResolution = 1.0 / 4294967296.0;  // 2^-32 N m
-  // Unsigned, because a running sum may wrap: differences stay right.
+  // Unsigned, since a running sum may wrap around; differences are right even then.
   using Sums = std::array<std::uint64_t, static_cast<std::size_t>(Channels)>;
   struct Span {  // samples of age begin .. begin + count - 1
     std::size_t begin = 0, count = 1;
@@ -87,7 +88,7 @@ class MismatchDetector {
   double activation_, stabilisation_, ratio_;
   Span oldest_edge_, newest_edge_, newest_;
   std::array<Span, 3> checks_;
-  RingBuffer<Sums> sums_;  // running sums, newest included
+  RingBuffer<Sums> sums_;  // running sums up to and including each sample
   bool rapid_change_ = false, stabilised_ = false;
 };
 

@@ -17,23 +17,24 @@ struct MomentumObserverConfig {
 /// Generalised-momentum observer (De Luca and Mattone, ICRA 2005; docs/theory.md (T50), its filter (T7)).
 ///
 /// With p = M dq the dynamics read dp/dt = tau + C^T dq - g + tau_ext, so tau_ext is the part of dp/dt that the model
-/// does not explain. Its average over the period that ends with sample k is u_k, and r_k the observer's output:
+/// does not explain. u_k is the average of tau_ext over the period that ends with sample k, and r_k is the observer's
+/// output:
 ///
 ///     u_k = (p_k - p_k-1) / dt - tau_k - (s_k-1 + s_k) / 2,    s = C^T dq - g
 ///     r_k = r_k-1 + K dt (u_k - r_k-1),                        r_0 = 0
 ///
 /// So r is tau_ext after the first-order filter K / (s + K), discretised by Euler's rule as on nearly all arms. An
-/// external torque that begins at sample k shows first at sample k + 1, with K dt of its size. If the host measures its
-/// period h, u_k is the average over h, and the filter advances by h / dt periods at once:
+/// external torque that begins at sample k first appears at sample k + 1, with K dt of its size. If the host measures
+/// its period h, u_k is the average over h, and the filter advances by h / dt periods at once:
 ///
 ///     r_k = r_k-1 + (1 - (1 - K dt)^(h / dt)) (u_k - r_k-1)
 ///
-/// r then does not depend on how the time was divided into samples, and lost ticks count as time that passed. To
-/// compare r with a model x of tau_ext, pass x, averaged over the period that ends with sample k, through the same
-/// filter, or invert the filter (SampleWindow).
+/// For a constant external torque, r then does not depend on how the time was divided into samples, and lost ticks
+/// count as time that passed. To compare r with a model x of tau_ext, average x over the period that ends with sample k
+/// and pass it through the same filter, or invert the filter (SampleWindow).
 ///
-/// Sign: r is what the environment exerts on the arm, tau_ext of M ddq + C dq + g = tau + tau_ext. Joint friction that
-/// the torque sensor does not see is part of it; an offset of the torque sensor enters with the opposite sign.
+/// Sign: r is what the environment exerts on the arm, tau_ext in M ddq + C dq + g = tau + tau_ext. r also contains
+/// joint friction that the torque sensor does not measure, and an offset of the torque sensor with the opposite sign.
 /// Real time: update() is O(Dofs^2), and with a period one exponential per joint; it allocates and throws nothing.
 template <typename Scalar, int Dofs>
 class MomentumObserver {
@@ -45,29 +46,29 @@ class MomentumObserver {
   /// @throws std::invalid_argument naming the field out of range; the only call that throws
   explicit MomentumObserver(Scalar dt, const MomentumObserverConfig<Scalar, Dofs>& config = {});
 
-  /// Advances by one period. The first call after construction or reset() only takes the arm's momentum.
+  /// Advances by one period. The first call after construction or reset() only records the arm's momentum.
   /// @param tau                 joint torque that the motors exerted over the period that ends now, gravity and payload
-  ///                            compensation included [N m]: the measurement, or else the command of the last tick
+  ///                            compensation included [N m]: as measured, or else the command of the last tick
   /// @param dq                  joint velocity now [rad/s]
   /// @param mass_matrix         M(q) now [kg m^2], of the arm without payload
   /// @param coriolis_transpose  C(q, dq)^T dq now, for C with dM/dt = C + C^T [N m]
   /// @param gravity             g(q) now, the term of the dynamics above [N m]
-  /// @param period              time since the last sample, where it is measured [s]; 0 is the nominal period dt
+  /// @param period              time since the last sample, if it is measured [s]; 0 means the nominal period dt
   /// @return Ok; NonFiniteInput, also for a period below 0 and for torques, momenta and periods beyond
   ///         kLargestPlausible: the observer is then as it was
   Status update(const Vector& tau, const Vector& dq, const JointMatrix<Scalar, Dofs>& mass_matrix,
                 const Vector& coriolis_transpose, const Vector& gravity, double period = 0) noexcept;
 
-  /// r, the filtered external torque [N m]; zero until two samples are in.
+  /// r, the filtered external torque [N m]; zero until the second update().
   const Vector& tau_ext() const noexcept { return residual_; }
 
-  /// Forgets everything; the next update() is a first one.
+  /// Returns to the state after construction.
   void reset() noexcept;
 
  private:
   Scalar dt_;
   Vector blend_;  // K dt
-  Vector rate_;   // of the filter that Euler's rule makes of it: ln(1 - K dt) / dt [1/s], -infinity where K dt is 1
+  Vector rate_;   // ln(1 - K dt) / dt [1/s], so that exp(h rate_) = (1 - K dt)^(h / dt); -infinity where K dt is 1
   Vector residual_ = Vector::Zero();
   Vector momentum_ = Vector::Zero();  // p_k-1
   Vector drift_ = Vector::Zero();     // s_k-1

@@ -20,11 +20,11 @@ struct Proprioception {
   Matrix3<Scalar> rotation = Matrix3<Scalar>::Identity();  ///< R, end-effector axes to world axes
   /// Joint velocity [rad/s]. Zero means an arm at rest: no inertia force, no friction of motion.
   JointVector<Scalar, Dofs> dq = JointVector<Scalar, Dofs>::Zero();
-  /// Motion of the flange over the period that ends now, from a host that knows it better than by differences of J dq.
-  /// Without it, these differences are used.
+  /// Motion of the flange over the period that ends now. Set it if the host knows it better than from differences of
+  /// J dq, which are used otherwise.
   std::optional<FlangeMotion<Scalar>> motion = std::nullopt;
-  /// Time since the last sample [s], where the host measures it: lost samples then count as time that passed. 0 is the
-  /// nominal period.
+  /// Time since the last sample [s], >= 0, if the host measures it: lost samples then count as time that passed. 0
+  /// means the nominal period.
   double period = 0;
 };
 
@@ -49,7 +49,8 @@ bool is_rotation(const Matrix3<Scalar>& R) noexcept {
 }  // namespace detail
 
 /// Whether a sample can be used.
-/// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible; NotARotation
+/// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible and for a period below 0; NotARotation, if an
+///         entry of R^T R is 1e-3 or more away from the identity, or det R is not above 0
 template <typename Scalar, int Dofs>
 Status check(const Proprioception<Scalar, Dofs>& sample) noexcept {
   if (!plausible(sample.tau_ext) || !plausible(sample.jacobian) || !detail::finite(sample.rotation) ||

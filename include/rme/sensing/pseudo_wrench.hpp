@@ -1,5 +1,5 @@
 #pragma once
-/// The wrench at the end effector that would explain the external joint torque.
+/// The wrench at the end effector that fits the external joint torque best.
 #include <rme/core/cholesky.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
@@ -11,9 +11,9 @@ namespace rme {
 /// The damping keeps it bounded near a singularity; a Jacobian of zeros gives zero.
 /// @param jacobian     J, 6 x Dofs, world axes, linear rows first: a matrix, a map, a block
 /// @param tau_ext      external joint torque [N m], Dofs x 1, likewise
-/// @param damping      lambda [m^2 and rad^2 alike], > 0; the paper's value is 1e-2
-/// @param[out] wrench  as it was unless the status is Ok
-/// @return Ok; NonFiniteInput; NotPositiveDefinite for a damping that is not > 0
+/// @param damping      lambda [m^2], > 0, the same for the angular rows; the paper's value is 1e-2
+/// @param[out] wrench  world axes; as it was unless the status is Ok
+/// @return Ok; NonFiniteInput; NotPositiveDefinite (the damping is not > 0, or is lost to rounding beside J J^T)
 template <typename Scalar, typename Columns, typename Torque>
 Status pseudo_wrench(const Eigen::MatrixBase<Columns>& jacobian, const Eigen::MatrixBase<Torque>& tau_ext,
                      Scalar damping, Wrench<Scalar>& wrench) noexcept {
@@ -33,8 +33,8 @@ Status pseudo_wrench(const Eigen::MatrixBase<Columns>& jacobian, const Eigen::Ma
   return Status::Ok;
 }
 
-/// The same wrench in end-effector axes, diag(R^T, R^T) W: the force of a payload at rest then points along gravity in
-/// these axes, in every pose.
+/// The same wrench in end-effector axes, diag(R^T, R^T) W. The force of a payload at rest shows the direction of
+/// gravity in these axes.
 /// @param wrench    world axes
 /// @param rotation  R, 3x3, end-effector axes to world axes
 template <typename Scalar, typename Rotation>

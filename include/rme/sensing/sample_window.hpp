@@ -15,46 +15,48 @@ namespace rme {
 
 /// Settings of SampleWindow.
 struct SampleWindowConfig {
-  double duration = 1.5;  ///< how far back samples are kept [s], > 0
-  /// Bandwidth of the first-order filter through which tau_ext comes [rad/s]: the gain K of the arm's momentum observer,
-  /// 1e-6 <= K dt <= 1; or 0 if the torque is unfiltered. If the filter is discretised exactly rather than by Euler's
-  /// rule, set (1 - exp(-K dt)) / dt.
+  double duration = 1.5;  ///< how far back samples are kept [s]: 2 to 1e6 periods
+  /// Bandwidth of the first-order filter through which tau_ext comes [rad/s]: the gain K of the arm's momentum
+  /// observer, with 1e-6 <= K dt <= 1; or 0 if the torque is unfiltered. For a filter that is discretised exactly and
+  /// not by Euler's rule, set (1 - exp(-K dt)) / dt.
   double observer_bandwidth = 50;
   double rest_velocity = 1e-3;  ///< joints slower than this count as resting [rad/s], > 0
 };
 
-/// One tick, prepared.
+/// One tick, with what is computed from it.
 template <typename Scalar, int Dofs>
 struct Sample {
-  Proprioception<Scalar, Dofs> raw;  ///< as it came in
+  Proprioception<Scalar, Dofs> raw;  ///< as it was passed to push()
   /// External torque over the period that ends with this tick [N m], with the observer's lag removed.
   JointVector<Scalar, Dofs> tau = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> direction = JointVector<Scalar, Dofs>::Zero();  ///< of dry friction: FrictionDirection
+  JointVector<Scalar, Dofs> direction = JointVector<Scalar, Dofs>::Zero();  ///< d of dry friction: FrictionDirection
   FlangeMotion<Scalar> motion;                                              ///< over the same period
 };
 
-/// Keeps the samples of the last seconds, and prepares each when it is pushed.
+/// Keeps the samples of the last seconds. When a sample is pushed, its external torque, direction of friction and
+/// motion are computed.
 ///
 /// The observer's filter r_k = r_k-1 + K dt (tau_k - r_k-1) is inverted: tau_k = r_k-1 + (r_k - r_k-1) / (K dt)
-/// (docs/theory.md (T8)). This keeps all information, needs no instant at which the filter started, and makes the noise
-/// white again that was white before the filter.
+/// (docs/theory.md (T8)). This keeps all information, and the instant at which the filter started need not be known.
+/// Noise that was white before the filter is white again.
 ///
 /// Unless the host passes the flange's motion, its acceleration is the backward difference of J dq, which belongs to
-/// the same period as tau_k.
+/// the same period as tau_k. Samples are taken to be dt apart: Proprioception::period is not used.
 template <typename Scalar, int Dofs>
 class SampleWindow {
  public:
   /// @param dt       control period [s], > 0
-  /// @param config   how much is kept, and the observer's bandwidth
-  /// @param coulomb  friction to expect in tau_ext [N m], of which a resting joint may show less
+  /// @param config   settings
+  /// @param coulomb  Coulomb friction to expect in tau_ext [N m], >= 0, per joint; a resting joint may show less of it
   /// @throws std::invalid_argument naming the field out of range
   explicit SampleWindow(double dt, const SampleWindowConfig& config = SampleWindowConfig(),
                         const JointVector<Scalar, Dofs>& coulomb = JointVector<Scalar, Dofs>::Zero());
 
-  /// Appends one tick. The first after construction or reset() has no predecessor, and counts as a state at rest.
+  /// Appends one tick. The first tick after construction or reset() has no predecessor: its tau is tau_ext, and its
+  /// acceleration is zero.
   /// @param sample          one tick
-  /// @param payload_steady  false while the payload is known to come or go (FrictionDirection)
-  /// @return Ok; NonFiniteInput; NotARotation; unless Ok, the window is as it was
+  /// @param payload_steady  false while the payload is known to change (FrictionDirection)
+  /// @return Ok; NonFiniteInput or NotARotation: the window is then as it was
   Status push(const Proprioception<Scalar, Dofs>& sample, bool payload_steady = true) noexcept;
 
   std::size_t size() const noexcept { return samples_.size(); }          ///< samples kept now
@@ -108,7 +110,7 @@ Status SampleWindow<Scalar, Dofs>::push(const Proprioception<Scalar, Dofs>& in, 
     sample.motion.angular_acceleration = (twist.angular - last_twist.angular) / dt_;
   }
   if (in.motion) sample.motion = *in.motion;
-  // A period near zero overflows here rather than in the inference.
+  // If dt is nearly zero, these overflow. They are refused here, before they reach the inference.
   if (!sample.tau.allFinite() || !sample.motion.linear_acceleration.allFinite() ||
       !sample.motion.angular_acceleration.allFinite())
     return Status::NonFiniteInput;

@@ -1,5 +1,5 @@
 #pragma once
-/// What is believed of an arm and of what it may pick up, before the first sample.
+/// Priors before the first sample: of an arm's torque errors, and of what it may pick up.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -10,27 +10,28 @@
 
 namespace rme {
 
-/// What kind of torque sensing an arm has; the tracker finds out which, and remembers it.
+/// Kinds of torque sensing. The tracker finds out which kind an arm has, and remembers it.
 enum class Sensing : std::uint8_t {
-  LinkSide,       ///< behind the gears: the sensor sees no friction
-  JointFriction,  ///< joint friction shows in tau_ext
-  RoughModel,     ///< so does what the arm's model gets wrong: motor currents, heavy gears, quick motion
+  LinkSide,       ///< sensed behind the gears: tau_ext contains no joint friction
+  JointFriction,  ///< tau_ext contains joint friction
+  RoughModel,     ///< friction, and large errors of the arm's model: motor currents, heavy gears, quick motion
 };
-inline constexpr std::size_t kSensings = 3;  ///< kinds of torque sensing
+inline constexpr std::size_t kSensings = 3;  ///< number of kinds of torque sensing
 
-/// Priors over the joints' nuisances, per joint. An arm's torques grow with what it lifts, so that one number scales
-/// them: the defaults are what a Panda (3 kg) shows, times rated_payload / 3 kg; the last three joints, the wrist's,
-/// have 0.4 of the others'.
+/// Prior of the joints' noise, offset, residual and friction. An arm's torques grow with the payload that it is made
+/// for, so one number scales them: the defaults are those of a Panda (3 kg) times rated_payload / 3 kg. For the last
+/// three joints, the wrist, they are multiplied by 0.4. All numbers are > 0.
 template <typename Scalar, int Dofs>
 struct ArmPrior {
   using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
-  Vector noise;     ///< standard deviation of a block's mean torque: where its learning begins [N m]
+  Vector noise;     ///< standard deviation of a block's mean torque, before it is learned [N m]
   Vector offset;    ///< standard deviation of the torque sensor's offset [N m]
-  Vector residual;  ///< scale of the joint: relative size of the rigid-body model's residual, whose size is learned
-  Vector coulomb;   ///< Coulomb friction: mean, with half of it as standard deviation [N m]
-  Vector viscous;   ///< viscous friction, likewise [N m s/rad]
+  Vector residual;  ///< scale of the joint: size of its noise and residual relative to a Panda's (no unit)
+  Vector coulomb;   ///< mean of the Coulomb friction; its standard deviation is half of this [N m]
+  Vector viscous;   ///< mean of the viscous friction; its standard deviation is half of this [N m s/rad]
 
-  /// The defaults of an arm that is made for this payload [kg], > 0.
+  /// The defaults.
+  /// @param rated_payload  [kg], > 0
   static ArmPrior of(Scalar rated_payload) noexcept {
     Vector share = Vector::Ones();
     for (int j = Dofs > 3 ? Dofs - 3 : 0; j < Dofs; ++j) share[j] = Scalar(0.4);
@@ -40,32 +41,34 @@ struct ArmPrior {
   }
 };
 
-/// What a hand may pick up: N over phi.
+/// Prior of what a hand may pick up: a Gaussian over phi.
 template <typename Scalar>
 struct PayloadPrior {
-  Scalar mass_mean;          ///< [kg]
-  Scalar mass_std;           ///< [kg]
-  Vector3<Scalar> com_mean;  ///< [m], end-effector axes, from the end-effector origin
-  Vector3<Scalar> com_std;   ///< [m]
+  Scalar mass_mean;          ///< mean of the mass [kg], 0 to the rated payload
+  Scalar mass_std;           ///< standard deviation of the mass [kg], > 0
+  Vector3<Scalar> com_mean;  ///< mean of the centre of mass [m], end-effector axes, from the end-effector origin
+  Vector3<Scalar> com_std;   ///< standard deviations of its entries [m], > 0
 
-  /// Mass of 0.25 +- 0.3 of the rated payload, centre 10 cm ahead of the flange and near its axis.
+  /// The default: a mass of 0.25 +- 0.3 of the rated payload, with its centre at (0, 0, 10) +- (6, 6, 7) cm.
+  /// @param rated_payload  [kg], > 0
   static PayloadPrior of(Scalar rated_payload) noexcept {
     return {Scalar(0.25) * rated_payload, Scalar(0.3) * rated_payload, Vector3<Scalar>(0, 0, Scalar(0.1)),
             Vector3<Scalar>(Scalar(0.06), Scalar(0.06), Scalar(0.07))};
   }
 
-  /// Mean of phi; that of the inertia is zero.
+  /// Mean of phi, 10x1; that of the inertia is zero.
   InertialVector<Scalar> mean() const noexcept {
     InertialVector<Scalar> phi = InertialVector<Scalar>::Zero();
     phi[0] = mass_mean;
     for (int i = 0; i < 3; ++i) phi[1 + i] = mass_mean * com_mean[i];
     return phi;
   }
-  /// Covariance of phi, lower triangular factor. The moments of m r for a mass that is known roughly: with r
-  /// independent of m, cov(m, m r) = r0 var(m) and cov(m r) = r0 r0^T var(m) + Sigma_r E[m^2] (docs/theory.md (T13));
-  /// with the prior's own E[m^2], the centre of mass of a light object would hardly be constrained, so pass a better
-  /// guess where there is one.
-  /// @param square_mass  E[m^2] [kg^2], > 0
+  /// Lower triangular factor L of the covariance L L^T of phi, 10x10. With r independent of m (docs/theory.md (T13)),
+  ///
+  ///     cov(m, m r) = r0 var(m),   cov(m r) = r0 r0^T var(m) + Sigma_r E[m^2]
+  ///
+  /// @param square_mass  E[m^2] [kg^2], > 0. That of the prior, square_mass(), hardly constrains the centre of mass of
+  ///                     a light object, so pass a better guess if there is one
   InertialMatrix<Scalar> factor(Scalar square_mass) const noexcept {
     using std::sqrt;
     const Scalar mass = sqrt(square_mass);
@@ -75,12 +78,12 @@ struct PayloadPrior {
       L(1 + i, 0) = com_mean[i] * mass_std;
       L(1 + i, 1 + i) = com_std[i] * mass;
     }
-    // Of m (|r|^2 - ...) with |r| up to twice its prior's spread.
+    // Standard deviation of each entry of the inertia: E[|r|^2] times the root mean square of the mass.
     const Scalar arm = detail::dot(com_mean, com_mean) + detail::dot(com_std, com_std);
     for (int i = 4; i < kInertial; ++i) L(i, i) = mass * arm;
     return L;
   }
-  /// E[m^2] [kg^2].
+  /// E[m^2] of this prior [kg^2].
   Scalar square_mass() const noexcept { return mass_mean * mass_mean + mass_std * mass_std; }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What happened, told from how the hypotheses' probabilities went.
+/// Events, from the probabilities of the hypotheses.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace rme {
 
-/// What an event was.
+/// Kinds of events.
 enum class EventKind : std::uint8_t {
   None,       ///< nothing has happened yet
   Attached,   ///< something is in a hand that was empty
@@ -39,25 +39,28 @@ constexpr const char* to_string(EventKind kind) noexcept {
 
 /// The last event that is over. Times count from the estimator's construction or reset.
 struct Event {
-  int number = 0;                    ///< events that are over; 0 before the first
-  EventKind kind = EventKind::None;  ///< what it was
+  int number = 0;                    ///< number of events that are over, this one included; 0 before the first
+  EventKind kind = EventKind::None;  ///< its kind
   double onset = 0;                  ///< when it began, to within a block [s]
   double noticed = 0;                ///< when it was noticed [s]
-  double over = 0;                   ///< when it was over [s]
+  double over = 0;                   ///< when it was found to be over [s]
 };
 
-/// Watches the likeliest hypothesis. A change is going on while that is an exchange, a push or filling, and is over
-/// once an empty hand or a steady payload has been likeliest for a tenth of a second; an exchange whose payload has
-/// been known for longer than 0.4 s is over as well, whatever still drifts.
+/// Derives events from the likeliest hypothesis (docs/theory.md, "Hypotheses"). An event begins when an exchange, a
+/// push or filling is likeliest, or when the hand is found empty that held something, or the reverse. It is over once
+/// an empty hand or a steady payload has been likeliest for 0.1 s. It is also over 0.4 s after an exchange was
+/// likeliest for the last time, unless a push is likeliest then. If the payload is then the same as before and nothing
+/// pushed, it does not count as an event. No call allocates.
 template <typename Scalar>
 class EventMonitor {
  public:
-  /// Takes in what is believed after a block.
+  /// Advances by one block.
   /// @param probability  of each hypothesis after the block
-  /// @param begin, end   of the block [s]
-  /// @param now          when this is known [s]
-  /// @param mass         that is believed to be held [kg]
-  /// @param deviation    of it [kg]
+  /// @param begin        time at which the block begins [s]
+  /// @param end          time at which the block ends [s]
+  /// @param now          present time [s], later than `end` by the computation of the block
+  /// @param mass         estimated mass after the block [kg]
+  /// @param deviation    its standard deviation [kg]
   void update(const PerHypothesis<Scalar>& probability, double begin, double end, double now, Scalar mass,
               Scalar deviation) noexcept {
     Hypothesis likeliest = Hypothesis::Empty;
@@ -88,28 +91,29 @@ class EventMonitor {
     const bool known = exchanged_ && likeliest != Hypothesis::Pushed && end - exchanged_at_ > kKnown;
     if (quiet_ > kQuiet - 1e-9 || known) finish(empty, now, mass, deviation);
   }
-  void reset() noexcept { *this = EventMonitor(); }  ///< an empty hand, and nothing has happened
+  void reset() noexcept { *this = EventMonitor(); }  ///< an empty hand, no event
 
-  bool changing() const noexcept { return changing_; }  ///< a change is going on
-  double onset() const noexcept { return onset_; }      ///< of the change that is going on [s]
-  double noticed() const noexcept { return noticed_; }  ///< of the same [s]
+  bool changing() const noexcept { return changing_; }  ///< an event is going on
+  double onset() const noexcept { return onset_; }      ///< when the current or the last change began [s]
+  double noticed() const noexcept { return noticed_; }  ///< when that change was noticed [s]
   const Event& last() const noexcept { return last_; }  ///< the last event that is over
-  /// What is held from now on is what the host says; nothing has happened.
+  /// The host says what is in the hand: an event that is going on is dropped.
+  /// @param empty  whether the hand is empty
   void believe(bool empty) noexcept {
     changing_ = false;
     was_empty_ = empty;
   }
 
  private:
-  static constexpr double kQuiet = 0.1;  // [s]
-  static constexpr double kKnown = 0.4;  // [s]
+  static constexpr double kQuiet = 0.1;  // how long Empty or Steady has to be likeliest at the end of an event [s]
+  static constexpr double kKnown = 0.4;  // how long after an exchange the event is over in any case [s]
 
   void finish(bool empty, double now, Scalar mass, Scalar deviation) noexcept {
     using std::abs;
     using std::sqrt;
     changing_ = false;
     EventKind kind = EventKind::None;
-    // Of the difference of two masses, one standard deviation.
+    // Standard deviation of the difference of the two masses.
     const Scalar doubt = sqrt(deviation * deviation + deviation_ * deviation_);
     if (empty != was_empty_)
       kind = empty ? EventKind::Removed : EventKind::Attached;
@@ -127,10 +131,10 @@ class EventMonitor {
 
   Event last_;
   bool was_empty_ = true;
-  Scalar mass_ = Scalar(0), deviation_ = Scalar(0);  // before the change [kg]
-  // of the change that is going on
+  Scalar mass_ = Scalar(0), deviation_ = Scalar(0);  // mass before the event, and its standard deviation [kg]
+  // of the current event: whether it goes on, and whether Exchanged, Pushed and Filling were likeliest in it
   bool changing_ = false, exchanged_ = false, pushed_ = false, filled_ = false;
-  double onset_ = 0, noticed_ = 0, quiet_ = 0, exchanged_at_ = -1;
+  double onset_ = 0, noticed_ = 0, quiet_ = 0, exchanged_at_ = -1;  // [s]
 };
 
 }  // namespace rme

@@ -1,5 +1,5 @@
 #pragma once
-/// Whether each joint rests, moves, or does both within a block, and what friction may do there.
+/// Whether each joint rests, moves, or does both within a block.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,25 +10,25 @@
 
 namespace rme {
 
-/// Dry friction of one joint in one block.
+/// State of motion of one joint in one block, which determines its dry friction.
 template <typename Scalar>
 struct JointFriction {
-  Scalar direction = Scalar(0);       ///< mean of sign(dq), 0 while it rests
-  Scalar resting = Scalar(1);         ///< share of the block that it rests
-  bool stops = false;                 ///< it has come to rest, having moved before
-  Scalar last_direction = Scalar(0);  ///< in which it moved last; 0 if it never has
-  /// Whether it rests, or moves in one direction, all through the block.
+  Scalar direction = Scalar(0);       ///< mean of sign(dq) over the block, where rest counts 0; -1 to 1
+  Scalar resting = Scalar(1);         ///< share of the block in which the joint rests, 0 to 1
+  bool stops = false;                 ///< the joint rests at the end of the block, but not at the end of the last one
+  Scalar last_direction = Scalar(0);  ///< direction of its last motion, -1 or 1; 0 if it has never moved
+  /// Whether the joint rests, or moves in one direction, throughout the block.
   bool steady() const noexcept { return resting == 1 || (resting == 0 && (direction == 1 || direction == -1)); }
 };
 
-/// Tells resting joints from moving ones. A joint moves if the mean of dq over a quarter of a block exceeds 1e-4 rad/s
-/// and 4.5 standard deviations of its noise. One that moves more slowly than its noise shows counts as resting: what
-/// held it when it stopped still holds it, and the direction of a joint that has never moved is 0. Taking noise for
-/// motion would be worse: the friction would then seem to be the same in both directions, and be learned to be zero.
+/// Distinguishes resting joints from moving ones (docs/theory.md, "Friction"). A joint moves in a quarter of a block if
+/// its mean dq there exceeds 1e-4 rad/s and 4.5 standard deviations of its noise. A joint whose motion cannot be
+/// distinguished from noise counts as resting. The opposite mistake would be worse: if noise is taken for motion, the
+/// friction does not change with the supposed direction, and is learned to be zero. No call allocates.
 template <typename Scalar, int Dofs>
 class FrictionRegime {
  public:
-  /// Looks at the next block.
+  /// Advances by one block.
   void update(const TorqueBlock<Scalar, Dofs>& block) noexcept {
     using std::abs;
     using std::sqrt;
@@ -53,23 +53,24 @@ class FrictionRegime {
       joint.stops = rests && !rested;
       joint_rests_[static_cast<std::size_t>(j)] = rests;
     }
-    // Noise of dq alone is no motion: three deviations of what it leaves of the norm of a block's mean.
+    // Noise of dq alone must not count as motion: three standard deviations of the norm of the block's mean dq.
     const Scalar noise = block.velocity_noise.sum() / samples;
     arm_moves_ = block.velocity.norm() > std::max(Scalar(kArmMoves), 3 * sqrt(noise));
   }
-  /// Joint j in the last block.
+  /// State of joint j in the last block, j from 0 to Dofs - 1.
   const JointFriction<Scalar>& joint(int j) const noexcept { return joints_[static_cast<std::size_t>(j)]; }
   /// Whether joint j rested at the end of the last block.
   bool rests(int j) const noexcept { return joint_rests_[static_cast<std::size_t>(j)]; }
-  /// Whether any joint moves, so that what holds a resting one may change.
+  /// Whether any joint moved in the last block: the stiction of a resting joint may then change.
   bool arm_moves() const noexcept { return arm_moves_; }
 
+  /// At first, all joints rest.
   FrictionRegime() noexcept { joint_rests_.fill(true); }
 
  private:
-  static constexpr double kMoves = 1e-4;      // [rad/s]
-  static constexpr double kArmMoves = 1e-3;   // norm of dq [rad/s]
-  static constexpr double kDeviations = 4.5;  // which the quarters of seven joints exceed once in two minutes
+  static constexpr double kMoves = 1e-4;      // smallest velocity of a moving joint [rad/s]
+  static constexpr double kArmMoves = 1e-3;   // smallest norm of dq of a moving arm [rad/s]
+  static constexpr double kDeviations = 4.5;  // by noise alone, seven joints at rest exceed them once in two minutes
   std::array<JointFriction<Scalar>, static_cast<std::size_t>(Dofs)> joints_{};
   std::array<bool, static_cast<std::size_t>(Dofs)> joint_rests_{};
   bool arm_moves_ = false;

@@ -6,15 +6,16 @@
 
 namespace rme {
 
-/// Each is a filter over the same state; they differ in what may have happened (docs/theory.md, "Hypotheses").
+/// What may have happened to the payload in a block. There is one filter for each hypothesis, all with the same state
+/// (docs/theory.md, "Hypotheses").
 enum class Hypothesis : std::uint8_t {
-  Empty,      ///< nothing in the hand
-  Steady,     ///< the payload is what it was
-  Filling,    ///< its mass drifts
-  Exchanged,  ///< another payload: attached, added to, or taken off in part
-  Pushed,     ///< a wrench acts in addition to the payload
+  Empty,      ///< nothing is in the hand
+  Steady,     ///< the payload is the same as in the block before
+  Filling,    ///< the payload's mass drifts
+  Exchanged,  ///< the payload is another one: attached, added to, or taken off in part
+  Pushed,     ///< the payload is the same, and a wrench acts in addition
 };
-inline constexpr std::size_t kHypotheses = 5;  ///< enumerators of Hypothesis
+inline constexpr std::size_t kHypotheses = 5;  ///< number of hypotheses
 
 /// The enumerator's name, for logs.
 constexpr const char* to_string(Hypothesis hypothesis) noexcept {
@@ -33,20 +34,21 @@ constexpr const char* to_string(Hypothesis hypothesis) noexcept {
   return "unknown";
 }
 
-/// A number for each hypothesis.
+/// One value for each hypothesis.
 template <typename Scalar>
 struct PerHypothesis {
   std::array<Scalar, kHypotheses> values{};  ///< in the order of the enumerators
-  /// That of h.
+  /// The value for h.
   Scalar& operator[](Hypothesis h) noexcept { return values[static_cast<std::size_t>(h)]; }
-  /// That of h.
+  /// The value for h.
   const Scalar& operator[](Hypothesis h) const noexcept { return values[static_cast<std::size_t>(h)]; }
 };
 
-/// P(this block's hypothesis | the last block's): rows from, columns to. An exchange and a push are each expected once
-/// in 20 s; a hand-over is done within three blocks; a push lasts 0.7 s, pouring 2.7 s (docs/theory.md (T19)). A
-/// block's evidence is tens of nats, so that a factor of two or three does not matter; blocks of an arm with noisy dq
-/// are longer by as much.
+/// P(hypothesis of this block | hypothesis of the block before), the T of docs/theory.md (T19): rows from, columns to.
+/// While nothing happens, an exchange and a push are each expected once in 20 s. On average, an exchange lasts three
+/// blocks of 20 ms, a push 0.7 s and filling 2.7 s. The log evidence of a block is tens of nats, so a factor of two or
+/// three in a probability does not matter. Therefore the table also serves for the blocks of up to 60 ms of an arm with
+/// noisy dq.
 inline constexpr std::array<std::array<double, kHypotheses>, kHypotheses> kTransitions = {{
     // Empty  Steady  Filling Exchanged Pushed
     {0.9978, 0, 0.0002, 0.001, 0.001},      // from Empty

@@ -17,71 +17,71 @@
 
 namespace rme {
 
-/// Five filters and their probabilities (Blom and Bar-Shalom, IEEE Trans. Automatic Control 1988; docs/theory.md,
-/// "Hypotheses"). A block is taken in by begin(), evaluate() of every hypothesis, finish(), in that order; they may be
-/// spread over several ticks; results change in finish() only.
-///
-/// Real time: no call allocates. evaluate() costs some 3,000 multiplications for 7 joints, twice that where hypotheses
-/// have to be mixed; one that is too improbable is not computed.
+/// Five filters, one for each hypothesis, and the probabilities of the hypotheses: an interacting-multiple-model filter
+/// (Blom and Bar-Shalom, IEEE Trans. Automatic Control 1988; docs/theory.md, "Hypotheses"). For each block, call
+/// begin(), then evaluate() for each step from 0 to kHypotheses - 1, then finish(). The calls may be spread over
+/// several ticks. The results change only in finish(). A hypothesis that is too improbable is not computed. Real time:
+/// no call allocates; evaluate() costs some 3,000 multiplications for 7 joints, twice as many if states have to be
+/// mixed.
 template <typename Scalar, int Dofs>
 class HypothesisBank {
  public:
-  using Star = StarGaussian<Scalar, Dofs>;  ///< what each filter is over
+  using Star = StarGaussian<Scalar, Dofs>;  ///< state of each filter
 
-  /// An empty hand, most likely; rated_payload in [kg], > 0.
+  /// At first, the hand is probably empty. Parameters as in Tracker; `sensing` is the kind that this bank assumes.
   HypothesisBank(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm, const PayloadPrior<Scalar>& payload,
                  Scalar rated_payload) noexcept;
 
-  /// Starts a block: probabilities before it is looked at (docs/theory.md (T19)).
-  /// @param block    the next one
+  /// Starts a block: computes the probabilities before the block is used (docs/theory.md (T19)).
+  /// @param block    the next block
   /// @param regime   which joints rest in it
   /// @param context  what else is known of it
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
              const BlockContext<Scalar>& context) noexcept;
-  /// Mixes, predicts and updates one hypothesis, the one that comes `step`th, 0 .. kHypotheses - 1: first the likeliest
-  /// one that needs no event. If that explains the block, most others are out of the question.
+  /// Mixes, predicts and updates the filter of one hypothesis.
+  /// @param step  0 .. kHypotheses - 1. Step 0 is the likelier one of Empty and Steady. If it explains the block, most
+  ///              of the others are not computed
   void evaluate(std::size_t step) noexcept;
-  /// Ends a block: new probabilities (docs/theory.md (T21)), and what the noise has been learned to be.
+  /// Ends a block: updates the probabilities (docs/theory.md (T21)), and learns noise and residual if nothing happened.
   /// @return log p(block | all blocks before) [nats], up to a constant that all banks share
   Scalar finish() noexcept;
 
   Scalar probability(Hypothesis h) const noexcept { return probability_[h]; }  ///< after the last block
-  /// The filter of h after the last block.
+  /// State of the filter of h after the last block.
   const Star& star(Hypothesis h) const noexcept { return stars_[index(h)]; }
-  /// e^T S^-1 e per joint of the likeliest hypothesis that is neither an exchange nor a push, at the last block: 1 on
-  /// average if the arm does what the model says (docs/theory.md (T30)).
+  /// e^T S^-1 e per joint in the last block, of one of Empty, Steady and Filling: the one that was likeliest before the
+  /// block. 1 on average if the torque is as the model predicts it (docs/theory.md (T30)).
   Scalar innovation_squared() const noexcept { return innovation_squared_; }
-  /// What has been learned of the joints' noise and residual.
-  const SensorNoise<Scalar, Dofs>& noise() const noexcept { return model_.noise(); }
+  const SensorNoise<Scalar, Dofs>& noise() const noexcept { return model_.noise(); }  ///< learned noise and residual
 
-  /// Gives `h` this probability, 0 to 1, and scales those of all others down.
+  /// The host says that `h` holds: multiplies all probabilities by 1 - probability, and adds `probability` (0 to 1) to
+  /// that of h. For Empty, the filter restarts with the nuisances of the likeliest hypothesis.
   void believe(Hypothesis h, Scalar probability) noexcept;
-  /// What is held becomes N(mean, factor factor^T).
+  /// Sets the payload of Steady to N(mean, factor factor^T), with the nuisances of the likeliest hypothesis.
   void set_payload(const InertialVector<Scalar>& mean, const InertialMatrix<Scalar>& factor) noexcept;
-  /// Forgets how sure the offsets were: what a host says of the payload may contradict them.
+  /// Adds the offsets' prior variances to their variances: part of a payload's torque may have been taken for offset.
   void reopen_offsets() noexcept;
 
  private:
   static constexpr std::size_t index(Hypothesis h) noexcept { return static_cast<std::size_t>(h); }
-  /// Of a hypothesis that enters another by less than this, nothing is mixed in.
-  static constexpr double kNegligible = 1e-4;
-  /// Below it, a hypothesis is left out of a block that a more likely one explains; and so where the arm hardly has this
-  /// kind of torque sensing.
+  static constexpr double kNegligible = 1e-4;  // smallest weight with which a component enters a mixture
+  /// If Empty or Steady explains a block, hypotheses with a smaller probability before the block are not computed. The
+  /// second bound applies if the arm is unlikely to have this kind of torque sensing.
   static constexpr double kImprobable = 0.002, kImprobableKind = 0.02;
-  /// A rough arm's torque changes by what a payload makes more often than its payload does.
+  /// Factor of a rough model's prior probability of an exchange: starts and stops of such an arm look like one.
   static constexpr double kRoughExchange = 0.0125;
-  static constexpr double kAge = 0.1 - 1e-6;        // [s]
-  static constexpr double kDoubtful = 0.04 - 1e-6;  // that a payload may turn out to be a push [s]
-  static constexpr double kSettling = 0.1 - 1e-6;   // after an exchange: observers' tails are over [s]
-  static constexpr double kSpoilt = 4;              // e^T S^-1 e per joint that no payload explains
-  static constexpr double kLate = 10;               // against torque that comes late [nats]: on most arms it does not
+  static constexpr double kAge = 0.1 - 1e-6;        // at this age recent_ becomes before_ [s]
+  static constexpr double kDoubtful = 0.04 - 1e-6;  // how long a new payload may turn out to be a push [s]
+  static constexpr double kSettling = 0.1 - 1e-6;   // from an exchange until the observer's error has decayed [s]
+  static constexpr double kSpoilt = 4;              // e^T S^-1 e per joint above which no payload explains a block
+  static constexpr double kLate = 10;               // evidence lost once if the torque is late, as on few arms [nats]
 
   Star& next(Hypothesis h) noexcept { return next_[index(h)]; }
   std::size_t likeliest() const noexcept {
     const auto& p = probability_.values;
     return static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
   }
-  /// kTransitions, and what the pour monitor adds to *steady* and *filling*.
+  /// kTransitions, with the change of the pour monitor between Steady and Filling.
   Scalar transition(std::size_t from, std::size_t to) const noexcept;
   const Star& source(std::size_t from, Hypothesis to) const noexcept;
   void take_in(Hypothesis h) noexcept;
@@ -90,7 +90,7 @@ class HypothesisBank {
   Scalar push_likelihood(const Star& star) noexcept;
   void evaluate_exchange(Star& star) noexcept;
   InertialMatrix<Scalar> filling(const Star& star) const noexcept;
-  /// log P(m is a mass that an arm can tell from nothing, and can hold) of a star.
+  /// Log probability that the mass is plausible: neither indistinguishable from zero nor too large for the arm.
   Scalar log_plausible(const Star& star) const noexcept;
   bool settled_explains() const noexcept;
   void follow_exchange(Hypothesis settled) noexcept;
@@ -102,28 +102,27 @@ class HypothesisBank {
   PushFilter<Scalar, Dofs> push_;
   PourMonitor<Scalar, Dofs> pour_;
   std::array<Star, kHypotheses> stars_, next_;
-  // Of a block in which nothing happened, 0.1 to 0.2 s ago, and of one less long ago, with what may have changed since.
+  // States after a block in which nothing happened, since then only predicted: 0.1 to 0.2 s old, and younger.
   Star before_, recent_;
-  // Age of recent_, and for how long nothing happened in all, up to a second [s]: of a life that is shorter than kAge
-  // about half is known.
+  // Age of recent_, and time in which nothing happened, at most 1 s [s]; at first, half of the latter replaces kAge.
   Scalar age_ = Scalar(0), known_ = Scalar(0);
-  Scalar since_exchange_ = Scalar(kSettling);  // time since one was believed in [s]
+  Scalar since_exchange_ = Scalar(kSettling);  // time since Exchanged was last believed [s]
   Scalar worst_ = Scalar(0);                   // largest innovation_squared_ since then
   PerHypothesis<Scalar> probability_;
 
-  // of the block that is being taken in
-  PerHypothesis<Scalar> predicted_;   // probabilities before the block is looked at
-  PerHypothesis<Scalar> likelihood_;  // log p(block | hypothesis)
+  // of the present block
+  PerHypothesis<Scalar> predicted_;   // p(h | past)
+  PerHypothesis<Scalar> likelihood_;  // log p(block | h)
   PerHypothesis<bool> in_question_;
   PerHypothesis<Scalar> squared_;  // e^T S^-1 e per joint
   PerHypothesis<JointVector<Scalar, Dofs>> innovation_, variance_;
-  Scalar goes_on_ = Scalar(0);   // P(the block before was pushed as well, given that this one is)
-  Scalar unloaded_ = Scalar(0);  // share of what the hypothesis taken in begins with in which something else was so
+  Scalar goes_on_ = Scalar(0);   // P(the block before was pushed, given that this one is)
+  Scalar unloaded_ = Scalar(0);  // weight of all other hypotheses in the last mixture
   bool exchange_likely_ = false;
-  bool exchange_anew_ = false;  // the exchange is looked at anew
-  bool late_ = false;           // the block before has shown that the torque of an exchange comes late
-  bool paid_ = false;           // kLate has been lost: once, as the arm does not change
-  bool kind_likely_ = true;     // that the arm has this bank's kind of torque sensing
+  bool exchange_anew_ = false;  // the exchange is estimated again with this block
+  bool late_ = false;           // the last block has shown that the torque is late
+  bool paid_ = false;           // kLate has been lost
+  bool kind_likely_ = true;     // the arm may have this bank's kind of torque sensing
   Scalar innovation_squared_ = Scalar(1);
 };
 
@@ -140,13 +139,13 @@ HypothesisBank<Scalar, Dofs>::HypothesisBank(Sensing sensing, const ArmPrior<Sca
   before_ = recent_ = star;
   for (const Hypothesis h : {Hypothesis::Steady, Hypothesis::Filling, Hypothesis::Exchanged})
     stars_[index(h)].replace_payload(payload.mean(), payload.factor(payload.square_mass()));
-  // An arm is switched on with an empty hand, or else says so soon.
+  // Most arms are switched on with an empty hand. If not, the host or the first blocks say so.
   probability_.values = {Scalar(0.97), Scalar(0.01), Scalar(0.001), Scalar(0.009), Scalar(0.01)};
 }
 
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::believe(Hypothesis h, Scalar probability) noexcept {
-  if (h == Hypothesis::Empty) {  // of a hand that was long not empty, the filter for an empty one knows old offsets
+  if (h == Hypothesis::Empty) {  // if something was held for long, this hypothesis has outdated offsets
     before_ = stars_[likeliest()];
     before_.empty_payload();
     stars_[index(h)] = recent_ = before_;
@@ -189,7 +188,7 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
   goes_on_ = static_cast<Scalar>(kTransitions[pushed][pushed]) * probability_.values[pushed] /
              std::max(predicted_.values[pushed], Scalar(1e-30));
   if (model_.rough()) predicted_[Hypothesis::Exchanged] *= Scalar(kRoughExchange);
-  if (context.exchange_likely) {  // as likely as all else
+  if (context.exchange_likely) {  // as likely as all others together
     for (Scalar& p : predicted_.values) p *= Scalar(0.5);
     predicted_[Hypothesis::Exchanged] += Scalar(0.5);
   }
@@ -199,8 +198,8 @@ void HypothesisBank<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
   }
 }
 
-/// Whether the likeliest hypothesis explains the block well enough for all that are far less likely beforehand, and have
-/// a prior of some dimensions to pay for, to be out of the question.
+/// Whether Empty or Steady is likely before the block and explains it. Hypotheses that are far less likely beforehand
+/// cannot win then: they have unknowns, which lower their likelihood.
 template <typename Scalar, int Dofs>
 bool HypothesisBank<Scalar, Dofs>::settled_explains() const noexcept {
   for (const Hypothesis h : {Hypothesis::Empty, Hypothesis::Steady})
@@ -212,17 +211,17 @@ template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::evaluate(std::size_t step) noexcept {
   const bool empty_first = predicted_[Hypothesis::Empty] > predicted_[Hypothesis::Steady];
   const auto h = static_cast<Hypothesis>(step < 2 && !empty_first ? 1 - step : step);
-  const bool patient = model_.rough() && kind_likely_;  // a large residual hides for seconds what seems unlikely
+  const bool patient = model_.rough() && kind_likely_;  // a large residual may hide a payload for seconds
   const bool needed = exchange_likely_ || patient || (exchange_anew_ && h == Hypothesis::Exchanged);
   const auto improbable = static_cast<Scalar>(kind_likely_ ? kImprobable : kImprobableKind);
   if (step > 0 && !needed && predicted_[h] < improbable && settled_explains()) in_question_[h] = false;
   if (in_question_[h]) take_in(h);
   if (step + 1 < kHypotheses) return;
-  model_.predict(before_);  // now that nothing begins with them any more, they come up to this block
+  model_.predict(before_);  // after the last use of both in this block
   model_.predict(recent_);
 }
 
-/// What h has begun with, and what the block says of it.
+/// Computes the state of h at the start of the block, and updates it with the block.
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::take_in(Hypothesis h) noexcept {
   mix(h);

@@ -9,8 +9,8 @@
 
 namespace rme {
 
-/// phi = (m, m r_x, m r_y, m r_z, I_xx, I_xy, I_xz, I_yy, I_yz, I_zz), in [kg, kg m, kg m^2]: end-effector axes, I
-/// about the end-effector origin (docs/theory.md (T10)).
+/// Number of inertial parameters. phi = (m, m r_x, m r_y, m r_z, I_xx, I_xy, I_xz, I_yy, I_yz, I_zz), in [kg, kg m, kg
+/// m^2], end-effector axes, I about the end-effector origin (docs/theory.md (T10)).
 inline constexpr int kInertial = 10;
 template <typename Scalar>
 using InertialVector = Eigen::Matrix<Scalar, kInertial, 1>;  ///< phi
@@ -22,7 +22,7 @@ template <typename Scalar>
 struct InertialParameters {
   Scalar mass = Scalar(0);                                 ///< m [kg]
   Vector3<Scalar> first_moment = Vector3<Scalar>::Zero();  ///< m r [kg m], end-effector axes
-  Matrix3<Scalar> inertia = Matrix3<Scalar>::Zero();       ///< I [kg m^2], about the end-effector origin
+  Matrix3<Scalar> inertia = Matrix3<Scalar>::Zero();       ///< I [kg m^2], the same axes, about the end-effector origin
 
   /// phi, 10x1.
   InertialVector<Scalar> vector() const noexcept {
@@ -30,19 +30,22 @@ struct InertialParameters {
     return (InertialVector<Scalar>() << mass, first_moment, I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2))
         .finished();
   }
-  /// The body of phi, as vector() has it.
+  /// The inverse of vector().
+  /// @param phi  10x1
   static InertialParameters from_vector(const InertialVector<Scalar>& phi) noexcept {
     InertialParameters out{phi[0], phi.template segment<3>(1), Matrix3<Scalar>()};
     out.inertia << phi[4], phi[5], phi[6], phi[5], phi[7], phi[8], phi[6], phi[8], phi[9];
     return out;
   }
-  /// Of a mass, its centre [m] and the inertia about that centre [kg m^2]: the parallel-axis theorem.
+  /// From mass and centre of mass, and the inertia about that centre, by the parallel-axis theorem.
+  /// @param payload    mass [kg] and centre of mass [m], end-effector axes
+  /// @param about_com  inertia about the centre of mass [kg m^2], end-effector axes
   static InertialParameters of_body(const Payload<Scalar>& payload, const Matrix3<Scalar>& about_com) noexcept {
     const Matrix3<Scalar> lever = skew(payload.com);
     return {payload.mass, payload.mass * payload.com, about_com - payload.mass * lever * lever};
   }
 
-  /// Mass and centre of mass. Requires mass > 0, or gives an empty hand.
+  /// Mass and centre of mass; an empty hand unless mass > 0.
   Payload<Scalar> payload() const noexcept {
     return mass > 0 ? Payload<Scalar>{mass, first_moment / mass} : Payload<Scalar>();
   }
@@ -51,13 +54,13 @@ struct InertialParameters {
     const Matrix3<Scalar> lever = skew(payload().com);
     return inertia + mass * lever * lever;
   }
-  /// Whether a body of positive density can have these parameters: mass above zero and principal moments about the
-  /// centre of mass that obey the triangle inequalities, which is the pseudo-inertia being positive definite (Wensing,
+  /// Whether a body of positive density can have these parameters: the mass is above zero, and the principal moments
+  /// about the centre of mass obey the triangle inequalities. The pseudo-inertia is then positive definite (Wensing,
   /// Kim and Slotine, RA-L 2018).
   bool physically_consistent() const noexcept { return mass > 0 && least_density_moment() > 0; }
-  /// The nearest parameters with the same mass and centre of mass whose density moment about the centre has no
-  /// eigenvalue below mass * radius^2.
-  /// @param radius  root mean square extent that a payload has at least, along any axis [m], > 0
+  /// The nearest parameters with the same mass and centre of mass whose second moment of density about the centre of
+  /// mass has no eigenvalue below mass * radius^2. An empty hand unless mass > 0.
+  /// @param radius  lower bound of the payload's root mean square extent along any axis [m], > 0
   InertialParameters made_consistent(Scalar radius) const noexcept {
     if (!(mass > 0)) return InertialParameters();
     Eigen::SelfAdjointEigenSolver<Matrix3<Scalar>> solver;
@@ -68,7 +71,7 @@ struct InertialParameters {
   }
 
  private:
-  // Integral of rho s s^T over the body, s from its centre of mass: (tr I_c / 2) 1 - I_c.
+  // Second moment of density: integral of rho s s^T over the body, s from its centre of mass. (tr I_c / 2) 1 - I_c.
   Matrix3<Scalar> density_moment() const noexcept {
     const Matrix3<Scalar> I = inertia_about_com();
     return Scalar(0.5) * I.trace() * Matrix3<Scalar>::Identity() - I;
@@ -80,15 +83,15 @@ struct InertialParameters {
   }
 };
 
-/// Y, 6 x 10: the wrench that a payload phi exerts on the end effector is Y phi (force, then moment; world axes, moment
-/// about the end-effector origin). Newton's and Euler's equations about the end-effector origin,
+/// Y, 6 x 10: a payload phi exerts the wrench Y phi on the end effector (force, then moment; world axes, moment about
+/// the end-effector origin). Y follows from Newton's and Euler's equations about the end-effector origin,
 ///
 ///     f = m s - (alpha x + omega x omega x) m r,   n = m r x s - I alpha - omega x I omega,   s = g - a
 ///
 /// with a the origin's acceleration (docs/theory.md (T11, T12)).
 /// @param rotation  R, end-effector axes to world axes
 /// @param gravity   g [m/s^2], world axes
-/// @param motion    of the flange, world axes
+/// @param motion    omega, alpha and a of the flange, world axes
 template <typename Scalar>
 Eigen::Matrix<Scalar, 6, kInertial> inertial_wrench_regressor(const Matrix3<Scalar>& rotation,
                                                               const Vector3<Scalar>& gravity,
@@ -104,7 +107,7 @@ Eigen::Matrix<Scalar, 6, kInertial> inertial_wrench_regressor(const Matrix3<Scal
     return m;
   };
   const Matrix3<Scalar> omega_cross = skew(omega);
-  Matrix3<Scalar> acceleration = skew(alpha);  // of a point, by its lever
+  Matrix3<Scalar> acceleration = skew(alpha);  // maps a point's lever to its acceleration relative to the origin
   acceleration += detail::product(omega_cross, omega_cross);
   Inertia moment = inertia_times(alpha);
   moment += detail::product(omega_cross, inertia_times(omega));

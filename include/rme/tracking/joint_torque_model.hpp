@@ -1,5 +1,5 @@
 #pragma once
-/// What a joint's torque is made of besides the payload's, and how that changes from block to block.
+/// Model of a joint's torque: its nuisances, how they change from block to block, and its noise.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/types.hpp>
@@ -11,33 +11,34 @@
 
 namespace rme {
 
-/// The nuisances' prior, how they change over a block, and how they enter a block's torque, for one kind of torque
-/// sensing (docs/theory.md, "Friction" and "What counts as unexplained"; observation() is (T24), the residual in
-/// predict() (T27), the noise of dq (T29)):
+/// Model of the joints' torque for one kind of torque sensing: the nuisances' prior, their change from block to block,
+/// and their regressor in a block (docs/theory.md, "Friction" and "What counts as unexplained"). observation() has the
+/// regressor (T24) and the noise of dq (T29), predict() the residual (T27). With joint friction, the torque is
 ///
 ///     tau_j = h_j^T phi + offset - d coulomb - dq viscous + residual + s stiction + noise
 ///
-/// with d the mean direction of motion and s the share of the block in which the joint rests. A link-side sensor sees no
-/// friction; there it is
+/// with d the mean direction of motion and s the share of the block in which the joint rests. A rough model has the
+/// same form, with larger errors. A link-side sensor sees no friction; there the torque is
 ///
 ///     tau_j = h_j^T phi + offset + lag dtau_ext,j/dt + residual + noise
 ///
-/// where the lag is zero until it has shown (unexplained()). Real time: nothing allocates.
+/// The lag's regressor is zero until a block has shown that the torque is late (unexplained()). Real time: nothing
+/// allocates.
 template <typename Scalar, int Dofs>
 class JointTorqueModel {
  public:
-  using Star = StarGaussian<Scalar, Dofs>;  ///< what a filter is over
+  using Star = StarGaussian<Scalar, Dofs>;  ///< state of a filter
 
   /// @param sensing      kind of torque sensing
-  /// @param arm          sizes before the first sample
-  /// @param inertia_arm  mean square distance of a payload's mass from the flange [m^2]
+  /// @param arm          sizes of noise, offset, residual and friction before the first sample
+  /// @param inertia_arm  mean square distance of a payload's centre of mass from the end-effector origin [m^2]
   JointTorqueModel(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm, Scalar inertia_arm) noexcept
       : sensing_(sensing), arm_(arm), inertia_arm_(inertia_arm), noise_(sensing, arm) {
     timing_noise_.setZero();
     inertia_noise_.setZero();
   }
 
-  /// What is believed of the joints before the first sample; nothing is held.
+  /// The nuisances' prior before the first sample, with an empty hand.
   Star prior() const noexcept {
     Star star;
     for (int j = 0; j < Dofs; ++j) {
@@ -55,41 +56,46 @@ class JointTorqueModel {
     }
     return star;
   }
-  /// Starts a block: what follows is about it.
-  /// @param block    the next one
+  /// Starts a block. The calls below then refer to it.
+  /// @param block    the next block
   /// @param regime   which joints rest in it
-  /// @param context  what else is known of it; unless friction is certain to show, what changes the torque of an arm
-  ///                 that rests is not taken for its friction
+  /// @param context  what else is known of it. Unless friction_shows is set, a change of the torque while the arm rests
+  ///                 is not taken for a change of friction
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
              const BlockContext<Scalar>& context = {}) noexcept;
-  /// How the nuisances change over the block, before its torque is taken in.
+  /// Time update: changes the nuisances from the last block to this one. To be called before the update with the
+  /// block's torque.
   void predict(Star& star) const noexcept;
+  /// The measurement of joint j in this block.
   /// @param j     0 .. Dofs - 1
-  /// @param mass  that is held [kg]: noise of dq becomes noise of its inertia force
+  /// @param mass  mass of the payload [kg]; the noise of dq makes a noise of its inertia force
   JointObservation<Scalar> observation(int j, Scalar mass) const noexcept;
-  /// Variance that a jump of a resting joint's stiction within the block would add: while other joints move, it may be
-  /// anywhere within the friction that `star` expects [(N m)^2]. 0 if the joint moves or the arm rests.
+  /// Variance that a jump of joint j's stiction would add in this block [(N m)^2]: a joint that rests while others move
+  /// may come loose and stick again. 0 if the joint moves, if the whole arm rests, and with link-side sensing.
+  /// @param star  has the joint's Coulomb friction
+  /// @param j     0 .. Dofs - 1
   Scalar stiction_jump(const Star& star, int j) const noexcept {
     if (sensing_ == Sensing::LinkSide || regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
     return Scalar(6.25) * stiction_variance(star, j);
   }
-  /// Whether the lag is a nuisance.
+  /// Whether the lag is one of the nuisances, as it is with link-side sensing.
   bool learns_lag() const noexcept { return sensing_ == Sensing::LinkSide; }
-  /// Whether the arm's model is taken to be rough.
+  /// Whether this is the model for Sensing::RoughModel.
   bool rough() const noexcept { return sensing_ == Sensing::RoughModel; }
-  /// Resets to their priors what can hide a payload while it is not noticed: the residual, and what holds a joint at rest.
+  /// Resets the residuals and the stictions to their priors. Until a payload is noticed, these two may absorb its
+  /// torque.
   void reopen_hiding(Star& star) const noexcept {
     for (int j = 0; j < Dofs; ++j) {
       renew(star, j, kResidual, Scalar(0), noise_.residual_variance(j));
       renew(star, j, kStiction, Scalar(0), stiction_variance(star, j));
     }
   }
-  /// After a removal: if the payload's torque is missing in every joint, to within a tenth and five standard
-  /// deviations, the offsets become less certain. An error of a torque sensor's gain, 2 % of that torque, seemed to be
-  /// an offset while the payload was held. No offset becomes less certain than before the first sample.
-  /// @param star   of the empty hand in this block, predicted
-  /// @param held   phi that is gone
-  /// @param share  weight of the part of the star that held something in the block before, 0 to 1
+  /// After a removal: makes the offsets less certain, if in each joint no more than a tenth of the payload's torque,
+  /// plus five standard deviations, is left. While the payload was held, an error of the torque sensor's gain, 2 % of
+  /// the payload's torque, was taken for offset. At most the offset's prior variance is added.
+  /// @param star   state of Hypothesis::Empty, after predict() for this block
+  /// @param held   phi of the removed payload
+  /// @param share  probability that something was held in the block before, given that the hand is empty in this one
   void unload(Star& star, const InertialVector<Scalar>& held, Scalar share) const noexcept {
     using std::abs;
     using std::sqrt;
@@ -104,12 +110,13 @@ class JointTorqueModel {
       star.joint(j).covariance(kOffset, kOffset) += share * off * off;
     }
   }
-  /// A change of the torque is badly explained. If a lag would leave as much at the torque's rate, or made as much at the
-  /// rate of the block before, which the payload has taken on, then what has been taken out of the torque is not its lag,
-  /// or it comes late: from the next block on, the lag is learned from what follows a large change. Otherwise somebody
-  /// pushes.
-  /// @param innovation, variance  of each joint [N m, (N m)^2]
-  /// @return whether the torque is late
+  /// Decides why a block soon after an exchange is badly explained: because the torque is late, or because something
+  /// pushes. It is late if a lag of 21 ms could make innovations as large as these, at the torque's rate in this block
+  /// or in the block before, whose error the filter has taken for payload. The observer's bandwidth is then not the
+  /// stated one, or the torque is delayed: from the next block on, the lag is learned after each large change.
+  /// @param innovation  e of each joint [N m]
+  /// @param variance    S of each joint [(N m)^2], > 0
+  /// @return whether the torque is late; always false unless learns_lag()
   bool unexplained(const JointVector<Scalar, Dofs>& innovation, const JointVector<Scalar, Dofs>& variance) noexcept {
     Scalar left = Scalar(0), lag = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
@@ -122,33 +129,35 @@ class JointTorqueModel {
     watch_ = Scalar(kWatchLag);
     return true;
   }
-  /// Adds the prior's variance to the offsets'.
+  /// Adds the offsets' prior variances to their variances.
   void reopen_offset(Star& star) const noexcept {
     for (int j = 0; j < Dofs; ++j) star.joint(j).covariance(kOffset, kOffset) += arm_.offset[j] * arm_.offset[j];
   }
 
-  /// Learns from a block in which nothing happened (SensorNoise).
+  /// Learns noise and residual from a block in which nothing happened; parameters as in SensorNoise::learn().
   void learn(bool empty, const JointVector<Scalar, Dofs>& innovation,
              const JointVector<Scalar, Dofs>& variance) noexcept {
     noise_.learn(empty, innovation, variance, block_, regime_);
   }
-  void interrupt() noexcept { noise_.interrupt(); }                           ///< something happens: nothing is learned
-  const SensorNoise<Scalar, Dofs>& noise() const noexcept { return noise_; }  ///< what has been learned
-  const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< that begin() was given
+  void interrupt() noexcept { noise_.interrupt(); }                           ///< something happened in this block
+  const SensorNoise<Scalar, Dofs>& noise() const noexcept { return noise_; }  ///< learned noise and residual
+  const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< the block of the last begin()
 
  private:
-  static constexpr double kLagSpread = 0.015;   // of an observer of 50 rad/s that is half or twice as fast as said [s]
-  static constexpr double kLargestLag = 0.021;  // of an observer half as fast, and less than a push leaves [s]
-  static constexpr double kWatchLag = 0.6;      // after a large change [s]
-  static constexpr double kGain = 0.02;         // error of a torque sensor's gain
-  static constexpr double kGone = 0.1;          // of a load, that may seem to be left where all of it has gone
-  // Of the residual's variance, where the arm's model is rough: what gears hold at rest; the noise of a joint that
-  // starts, stops or turns back; and what comes to it the slower the joint is.
+  // An observer of 50 rad/s that is in truth half or twice as fast has a lag of 20 or -10 ms.
+  static constexpr double kLagSpread = 0.015;   // prior standard deviation of the lag [s]
+  static constexpr double kLargestLag = 0.021;  // largest lag; a push makes errors as a larger one would [s]
+  static constexpr double kWatchLag = 0.6;      // how long the lag is learned after a large change [s]
+  static constexpr double kGain = 0.02;         // relative error of a torque sensor's gain
+  static constexpr double kGone = 0.1;          // share of the payload's torque that may be left after a removal
+  // For a rough model, as multiples of the residual's variance: stiction; noise of a joint that starts, stops or turns
+  // back; and further noise of such a joint at rest.
   static constexpr double kRoughStiction = 16;
   static constexpr double kTurnNoise = 6;
   static constexpr double kStopNoise = 20;
 
-  /// A step of a joint's nuisance n, which keeps this share of what it was and has this variance in the long run.
+  /// One step of a first-order autoregressive process: nuisance n of joint j is multiplied by `keep`, and noise is
+  /// added such that its stationary variance is `variance`.
   static void renew(Star& star, int j, Nuisance n, Scalar keep, Scalar variance) noexcept {
     auto& joint = star.joint(j);
     auto& V = joint.covariance;
@@ -162,8 +171,8 @@ class JointTorqueModel {
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   void follow_compensation(const TorqueBlock<Scalar, Dofs>& block, const BlockContext<Scalar>& context) noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
-  /// Of what may hold a resting joint [(N m)^2]: 0.6 of the Coulomb friction to expect, and no more friction than
-  /// motion has shown.
+  /// Stationary variance of the stiction [(N m)^2]. The standard deviation is 0.6 of the prior's Coulomb friction, and
+  /// at most the Coulomb friction that motion has shown; a rough model's has kRoughStiction instead of this bound.
   Scalar stiction_variance(const Star& star, int j) const noexcept {
     const Scalar off = Scalar(0.6) * arm_.coulomb[j];
     if (sensing_ == Sensing::RoughModel) return off * off + Scalar(kRoughStiction) * noise_.residual_variance(j);
@@ -175,20 +184,19 @@ class JointTorqueModel {
   Scalar inertia_arm_;
   SensorNoise<Scalar, Dofs> noise_;
   bool started_ = false, friction_shows_ = false;
-  bool late_ = false;         // torque and motion are not in time
-  Scalar watch_ = Scalar(0);  // for which their lag is to be learned yet [s]
+  bool late_ = false;         // a block has shown that the torque is late
+  Scalar watch_ = Scalar(0);  // how long the lag will still be learned [s]
   TorqueBlock<Scalar, Dofs> block_;
   FrictionRegime<Scalar, Dofs> regime_;
-  JointVector<Scalar, Dofs> rate_before_ =
-      JointVector<Scalar, Dofs>::Zero();  // torque_rate of the block before [N m/s]
-  // How far friction has turned over in this block, and lately (turn()).
+  JointVector<Scalar, Dofs> rate_before_ = JointVector<Scalar, Dofs>::Zero();  // last block's torque_rate [N m/s]
+  // How far friction has turned over in this block, and the decaying maximum of that (turn()).
   JointVector<Scalar, Dofs> turned_ = JointVector<Scalar, Dofs>::Zero(), turning_ = JointVector<Scalar, Dofs>::Zero();
-  // Of each joint: its torque of late, and by how much that changes within this block beyond noise, or because the
-  // compensation does; and changes of the compensation that are yet to reach it [N m].
+  // Per joint [N m]: average of the torque over the last 0.08 s; change of the motor's torque in this block
+  // (follow_torque(), follow_compensation()); changes of the compensation that tau_ext does not show yet.
   JointVector<Scalar, Dofs> recent_torque_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> torque_change_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> pending_ = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> timing_noise_, inertia_noise_;  // [(N m)^2], [(N m / kg)^2]
+  JointVector<Scalar, Dofs> timing_noise_, inertia_noise_;  // variances [(N m)^2], [(N m / kg)^2]
 };
 
 }  // namespace rme

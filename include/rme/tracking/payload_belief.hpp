@@ -1,5 +1,5 @@
 #pragma once
-/// From a Gaussian over the inertial parameters to one over mass and centre of mass, within what an arm can hold.
+/// From a Gaussian over the inertial parameters to one over a plausible mass and a centre of mass.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/small_matrix.hpp>
@@ -10,17 +10,19 @@
 
 namespace rme {
 
-/// N(mean, covariance) over phi.
+/// Gaussian over phi (inertial_parameters.hpp).
 template <typename Scalar>
 struct InertialGaussian {
-  /// [kg, kg m, kg m^2].
+  /// Mean of phi [kg, kg m, kg m^2].
   InertialVector<Scalar> mean = InertialVector<Scalar>::Zero();
   /// 10x10, positive semidefinite.
   InertialMatrix<Scalar> covariance = InertialMatrix<Scalar>::Zero();
 };
 
-/// Cuts a Gaussian where the mass would be negative or above `largest`: the moments of the truncated mass, and of all
-/// else what follows from its regression on the mass (docs/theory.md (T31)). Unchanged where nothing is to be cut.
+/// Truncates the mass to the interval from 0 to `largest`. The result has the mean and variance of the truncated mass;
+/// the moments of all other entries follow from their regression on the mass (docs/theory.md (T31)).
+/// @param free     before the truncation; returned as it is if the interval holds the mass +- 4 standard deviations
+/// @param largest  [kg], > 0
 template <typename Scalar>
 InertialGaussian<Scalar> within_rated(const InertialGaussian<Scalar>& free, Scalar largest) noexcept {
   using std::erfc;
@@ -43,7 +45,7 @@ InertialGaussian<Scalar> within_rated(const InertialGaussian<Scalar>& free, Scal
       cut_mean = mass + deviation * shift;
       cut_variance = variance * (1 + (a * density(a) - b * density(b)) / inside - shift * shift);
       cut_variance = std::max(cut_variance, Scalar(1e-4) * variance);
-    } else {  // far out: at the bound, and off by as much as there is contradiction
+    } else {  // far outside: at the bound, with at least half of the distance as deviation
       const Scalar far = mass < 0 ? -mass : mass - largest;
       cut_mean = mass < 0 ? Scalar(0) : largest;
       cut_variance = std::max(variance, Scalar(0.25) * far * far);
@@ -61,8 +63,8 @@ InertialGaussian<Scalar> within_rated(const InertialGaussian<Scalar>& free, Scal
   return cut;
 }
 
-/// (m, r) of (m, m r): r = (m r) / m to first order (docs/theory.md (T32)). If std(m) exceeds m, the centre of mass
-/// does not show, and r is the prior's.
+/// Gaussian over (m, r) from one over (m, m r), by r = (m r) / m to first order (docs/theory.md (T32)). If the standard
+/// deviation of m exceeds m, r is the prior's: phi then says nothing of the centre of mass.
 template <typename Scalar>
 PayloadGaussian<Scalar> payload_of(const InertialGaussian<Scalar>& phi, const PayloadPrior<Scalar>& prior) noexcept {
   PayloadGaussian<Scalar> out;
@@ -82,7 +84,7 @@ PayloadGaussian<Scalar> payload_of(const InertialGaussian<Scalar>& phi, const Pa
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) P(i, j) = phi.covariance(i, j);
   out.covariance = detail::product(detail::product(derivative, P), Matrix4<Scalar>(derivative.transpose()));
-  // What cancels in it must not leave a variance below zero.
+  // Cancellation must not leave a variance below zero.
   for (int i = 0; i < 4; ++i) out.covariance(i, i) = std::max(out.covariance(i, i), Scalar(1e-12));
   return out;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Whether something is poured into what is held, or out of it, and how fast.
+/// Finds out whether something is poured into the payload or out of it, and how fast.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/types.hpp>
@@ -7,43 +7,45 @@
 
 namespace rme {
 
-/// What *steady* and *filling* learn from each other (docs/theory.md, "Hypotheses").
+/// Adapts the hypothesis *filling* to the pour: its transition probabilities and its process noise (docs/theory.md,
+/// "Hypotheses").
 ///
-/// A slow pour hides in the nuisances: block by block, *steady* explains it nearly as well as *filling* does. But its
-/// innovations then lean towards the payload's own torque, and do so block after block: their average shows it (T22).
-/// So do offsets that drift as the drives warm up under a load. What tells them apart is how fast *steady* has to
-/// follow.
+/// A slow pour hides in the nuisances: in each block, *steady* explains it nearly as well as *filling* does. But the
+/// innovations of *steady* then have a component along the payload's torque, with the same sign in block after block.
+/// Their average shows the pour (T22). Offsets that drift while the drives warm up under a load look the same, but are
+/// slower: *steady* then changes its mass by less per block.
 ///
-/// Once *filling* is believed, its random walk becomes as wide as what is poured needs (T23). One that is wide enough
-/// for any pour would explain a slow one worse than *steady* does.
+/// While *filling* is the most likely, its process noise is adapted to the pour (T23). With a process noise that is
+/// large enough for any pour, *filling* would explain a slow one worse than *steady* does. No call allocates.
 template <typename Scalar, int Dofs>
 class PourMonitor {
  public:
   using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
 
-  /// Probability that the next block is *filling* where the last one was *steady*, beside that of kTransitions.
+  /// What is added to the transition probability from *steady* to *filling* in kTransitions.
   Scalar onset() const noexcept {
     using std::abs;
     return abs(lean_) > Scalar(kSure) && abs(followed_) > Scalar(kDrift) ? Scalar(kOnset) : Scalar(0);
   }
-  /// The same, that *filling* ends: hardly anything is poured any more.
+  /// What is added to the transition probability from *filling* to *steady*, when hardly anything is poured any more.
   Scalar end() const noexcept { return std::abs(pace_) < Scalar(kOver) ? Scalar(kEnd) : Scalar(0); }
 
-  /// Standard deviation of the mass that is poured within a block, of the rated payload.
-  /// @param duration  of the block [s]
+  /// Standard deviation of the mass that is poured within a block, as a share of the rated payload (T23).
+  /// @param duration  of the block [s], > 0
   Scalar spread(Scalar duration) const noexcept {
     using std::sqrt;
     const Scalar wanted = Scalar(kSpread) * std::abs(pace_);
     return std::max(Scalar(kLeast), std::min(Scalar(kMost), wanted)) * sqrt(duration / Scalar(kBlock));
   }
 
-  /// After a block that *steady* took in.
-  /// @param block       of samples
-  /// @param phi         inertial parameters that are held
-  /// @param rated       payload [kg], > 0
-  /// @param innovation  e [N m]
-  /// @param variance    S of e [(N m)^2], > 0
-  /// @param noise       R, its part that is noise [(N m)^2]
+  /// Updates the averages of (T22). To be called after a block while *steady* is believed; all arguments are of
+  /// *steady*.
+  /// @param block       the block
+  /// @param phi         mean of the inertial parameters
+  /// @param rated       rated payload [kg], > 0
+  /// @param innovation  e of each joint [N m]
+  /// @param variance    S of each joint [(N m)^2], > 0
+  /// @param noise       R of each joint, the part of S that is noise [(N m)^2]
   void follow_steady(const TorqueBlock<Scalar, Dofs>& block, const InertialVector<Scalar>& phi, Scalar rated,
                      const Vector& innovation, const Vector& variance, const Vector& noise) noexcept {
     using std::sqrt;
@@ -62,34 +64,35 @@ class PourMonitor {
     const Scalar mass = shows ? phi[0] * moved / square : Scalar(0);
     followed_ = keep * followed_ + (1 - keep) * mass / rated * (Scalar(kBlock) / block.duration);
   }
-  /// After a block in which *filling* was likelier than all else.
-  /// @param change    of its mass, of the rated payload
-  /// @param duration  of the block [s]
+  /// Updates the pace of the pour. To be called after a block while *filling* is believed.
+  /// @param change    change of its mass in this block, as a share of the rated payload
+  /// @param duration  of the block [s], > 0
   void follow_filling(Scalar change, Scalar duration) noexcept {
     pace_ += Scalar(kLearn) * (change * Scalar(kBlock) / duration - pace_);
   }
-  /// *Steady* is not what is believed: its innovations say nothing.
+  /// To be called instead of follow_steady() while *steady* is not believed: its innovations then show nothing.
   void forget_lean() noexcept { lean_ = followed_ = Scalar(0); }
-  /// *Filling* is not what is believed: the next pour may be any.
+  /// To be called instead of follow_filling() while *filling* is not believed: the next pour may have any pace.
   void forget_pace() noexcept { pace_ = Scalar(kMost / kSpread); }
 
  private:
-  static constexpr double kBlock = 0.02;        // [s], for which the following are
-  static constexpr double kKeep = 0.96;         // of an average, a block: half a second
-  static constexpr double kMostOfOne = 3;       // standard deviations that a block counts for: one is not a pour
-  static constexpr double kSure = 3;            // standard deviations, which chance makes once in 400 averages
-  static constexpr double kDrift = 0.00003;     // of the rated payload: offsets drift as fast, 4.5 g/s on a Panda
-  static constexpr double kOnset = 0.2;         // within five blocks, if the blocks do not contradict
-  static constexpr double kOver = 0.0001;       // of the rated payload: 15 g/s
-  static constexpr double kEnd = 0.03;          // within two thirds of a second
-  static constexpr double kMost = 0.0027;       // of the rated payload: 8 g on a Panda, 0.4 kg/s if all go one way
-  static constexpr double kLeast = kMost / 10;  // 40 g/s
-  static constexpr double kSpread = 3;          // steps of a pour, to follow it within a few blocks
-  static constexpr double kLearn = 0.1;         // of a new block, in the pace
+  // Numbers per block are for blocks of kBlock. Masses are shares of the rated payload per block; g/s are for a Panda.
+  static constexpr double kBlock = 0.02;        // [s]
+  static constexpr double kKeep = 0.96;         // factor of an average per block: it looks half a second back
+  static constexpr double kMostOfOne = 3;       // bound of a single z: one block alone shows no pour
+  static constexpr double kSure = 3;            // bound of z's average in standard deviations: by chance, 1 in 400
+  static constexpr double kDrift = 0.00003;     // mass that the drift of offsets may feign: 4.5 g/s
+  static constexpr double kOnset = 0.2;         // what onset() adds: filling begins within about five blocks
+  static constexpr double kOver = 0.0001;       // pace below which hardly anything is poured: 15 g/s
+  static constexpr double kEnd = 0.03;          // what end() adds: filling ends within about 0.7 s
+  static constexpr double kMost = 0.0027;       // largest spread(): 8 g per block, 0.4 kg/s if all have the same sign
+  static constexpr double kLeast = kMost / 10;  // smallest spread(): 40 g/s
+  static constexpr double kSpread = 3;          // spread() over pace: the pour is followed within a few blocks
+  static constexpr double kLearn = 0.1;         // weight of a new block in the pace
 
-  Scalar lean_ = Scalar(0);                // average of z, of variance 1 if nothing is poured
-  Scalar followed_ = Scalar(0);            // by which steady follows along the load; mass in a block, of the rated one
-  Scalar pace_ = Scalar(kMost / kSpread);  // of filling, likewise
+  Scalar lean_ = Scalar(0);                // average of z, scaled to variance 1 if nothing is poured
+  Scalar followed_ = Scalar(0);            // average of f (T22)
+  Scalar pace_ = Scalar(kMost / kSpread);  // average change of the mass of *filling*
 };
 
 }  // namespace rme

@@ -7,22 +7,23 @@
 
 namespace rme {
 
-/// Compares, tick by tick, the torque that is carried with what the arm feels. When an object is dropped, compensation
+/// Compares, tick by tick, the payload's torque with the external torque. When an object is dropped, the compensation
 /// pushes the empty hand upwards until the filters have noticed. The guard notices within milliseconds. It also acts
 /// when somebody lifts the object: the arm then sags a little, which is the safer error.
 ///
-///     s = (tau - nu) . t / t . t     (docs/theory.md (T35))
+///     share = clamp(2 (tau - nu) . t / t . t, 0, 1)     (docs/theory.md (T35))
 ///
-/// with t the payload's torque, nu what tau held besides in the last block in which nothing happened, and tau averaged
-/// over 4 ms. The share of the compensation is 2 s, between 0 and 1.
+/// Here t is the payload's torque, tau the external torque averaged over 4 ms, and nu the part of tau that the payload
+/// did not explain in the last block in which nothing happened. No call allocates.
 template <typename Scalar, int Dofs>
 class RemovalGuard {
  public:
   using Vector = JointVector<Scalar, Dofs>;  ///< joint torque [N m]
 
-  /// @param tau      external torque of this tick, the observer's lag taken out [N m]
-  /// @param carried  torque of what is believed to be held [N m]
-  /// @param dt       since the tick before [s]
+  /// Advances by one tick.
+  /// @param tau      external torque of this tick, with the observer's lag removed [N m]
+  /// @param carried  t, the torque of the estimated payload [N m]
+  /// @param dt       time since the last tick [s], > 0
   void update(const Vector& tau, const Vector& carried, Scalar dt) noexcept {
     using std::exp;
     detail::add_scaled(average_, Scalar(1) - exp(-dt / Scalar(kAverage)), detail::difference(tau, average_));
@@ -34,15 +35,16 @@ class RemovalGuard {
     const Scalar support = detail::dot(detail::difference(average_, besides_), carried) / square;
     share_ = std::max(Scalar(0), std::min(Scalar(1), 2 * support));
   }
-  /// What a block's mean torque held besides the payload's, of a block in which nothing happened [N m].
+  /// Sets nu after a block in which nothing happened.
+  /// @param besides  the block's mean torque minus the payload's [N m]
   void learn(const Vector& besides) noexcept { besides_ = besides; }
-  /// Of the compensation, that is safe to command: 0 to 1.
+  /// The share of the compensation that is safe to command, 0 to 1.
   Scalar share() const noexcept { return share_; }
 
  private:
-  static constexpr double kAverage = 0.004;  // time constant [s]
-  static constexpr double kLeast = 0.3;      // a torque below it is no danger [N m]
-  Vector average_ = Vector::Zero(), besides_ = Vector::Zero();
+  static constexpr double kAverage = 0.004;  // time constant of tau's average [s]
+  static constexpr double kLeast = 0.3;      // the share is 1 if the norm of t is at most this: no danger [N m]
+  Vector average_ = Vector::Zero(), besides_ = Vector::Zero();  // of tau; nu
   Scalar share_ = Scalar(1);
 };
 

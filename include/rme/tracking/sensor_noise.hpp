@@ -1,5 +1,5 @@
 #pragma once
-/// How noisy an arm's torque is, and how far its rigid-body model is off: learned while the arm runs.
+/// The noise of an arm's torque and the size of its rigid-body model's residual, both learned while the arm runs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,28 +11,30 @@
 
 namespace rme {
 
-/// Learned from innovations of blocks in which nothing happens (docs/theory.md, "Noise and residual"; the noise is
-/// (T25)).
+/// Learns the variances of noise and residual from the innovations of blocks in which nothing happens (docs/theory.md,
+/// "Noise and residual").
 ///
-/// Noise, per joint: half the mean square of the difference of two innovations in a row. Whatever lasts longer than a
-/// block, be it an offset, friction, or a residual, cancels in it. If a joint
-/// became much noisier, each block would look like an event, and nothing would be learned. So watch() looks for white
-/// noise, which changes sign from block to block as no event does (T26).
+/// Noise, per joint: half the mean square of the difference of two successive innovations (T25). Errors that last
+/// longer than a block cancel in this difference: offset, friction, residual. If a joint becomes much noisier, each
+/// block looks like an event, and nothing would be learned. So watch() looks for white noise in all blocks: it changes
+/// its sign from block to block, and the torque of an event does not (T26).
 ///
-/// Residual, one scale per joint: if it is right, innovations are white. If they are correlated with those before, the
-/// residual is larger than assumed, and smaller if they are anticorrelated (Mehra, IEEE Trans. Automatic Control 1970).
-/// Only blocks in which the arm moves count. The longer an arm has moved, the more slowly its residual is learned:
-/// otherwise a pour would be learned as residual.
+/// Residual, one standard deviation per joint: if it is right, innovations are white. If an innovation is correlated
+/// with those before it, the residual is larger than assumed; if it is anticorrelated, the residual is smaller (Mehra,
+/// IEEE Trans. Automatic Control 1970). Only blocks in which the arm moves count. The longer the arm has moved, the
+/// more slowly the residual is learned: otherwise a pour would be learned as residual.
 ///
-/// A rough model's residual has one scale for all joints, and is another one in each motion. It is smoother than the
-/// tracker's, so that innovations would never be white, however large it is: there, innovations that are smaller than
-/// their variance says count as well.
+/// A rough model has one standard deviation for all joints, in proportion to their scales, and its residual is
+/// different in each motion. The residual may be smoother than the filter assumes, so that no standard deviation makes
+/// the innovations white. So the size of the innovations, compared with their variance, counts as well. Real time: no
+/// call allocates.
 template <typename Scalar, int Dofs>
 class SensorNoise {
  public:
   using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
 
-  /// Learning begins at what the prior says.
+  /// @param sensing  kind of torque sensing; determines the first value and the bounds of the residual
+  /// @param arm      first value of the noise, and scale of each joint
   SensorNoise(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm) noexcept
       : rough_(sensing == Sensing::RoughModel),
         share_(arm.residual),
@@ -46,17 +48,18 @@ class SensorNoise {
     }
   }
 
-  /// Variance of a block's mean torque [(N m)^2].
+  /// Variance of the noise of joint j's mean torque over a block [(N m)^2].
   Scalar variance(int j) const noexcept { return variance_[j]; }
-  /// Variance of the model's residual [(N m)^2].
+  /// Variance of joint j's residual [(N m)^2].
   Scalar residual_variance(int j) const noexcept {
     const Scalar s = residual_[j] * share_[j];
     return s * s;
   }
 
-  /// Variance of the first moment [(kg m)^2] that the link which carries the payload may be off by, if it is as wrong as
-  /// all joints' residuals say that links are (docs/theory.md (T28)). However long the arm moves, this cannot be told
-  /// from the payload's. 0 for a rough model, whose payload is less certain for another reason (Tracker).
+  /// s^2 of docs/theory.md (T28): variance of the error of a link's first moment in the arm's model [(kg m)^2],
+  /// inferred from the residuals of all joints. However long the arm moves, this error of the link that carries the
+  /// payload cannot be distinguished from the payload's first moment. 0 for a rough model, whose covariance Tracker
+  /// increases in another way.
   Scalar first_moment_variance() const noexcept {
     if (rough_) return Scalar(0);
     Scalar sum = Scalar(0), scale = Scalar(0);
@@ -67,10 +70,10 @@ class SensorNoise {
     return scale * scale * sum / Scalar(Dofs);
   }
 
-  /// Notices that a joint has become noisier, whatever else happens: white torque turns back block after block, which
-  /// neither a hand nor a pour does (docs/theory.md (T26)).
-  /// @param block  the next one, each of them
-  /// @param other  variance of other noise in it [(N m)^2]
+  /// Notices that a joint has become much noisier, also during events: the torque's slope changes its sign from block
+  /// to block, which neither a hand nor a pour causes (docs/theory.md (T26)). To be called for every block.
+  /// @param block  the next block
+  /// @param other  variance of further noise in each joint's torque [(N m)^2]
   void watch(const TorqueBlock<Scalar, Dofs>& block, const Vector& other) noexcept {
     for (int j = 0; j < Dofs; ++j) {
       const Scalar slope = block.tau[j] - torque_[j], bend = slope - slope_[j];
@@ -80,17 +83,18 @@ class SensorNoise {
       bend_[j] = bend;
       zigzag_[j] += (std::max(-variance_[j], turn) - zigzag_[j]) / Scalar(kWatch);
       if (zigzag_[j] > Scalar(kNoisier) * (variance_[j] + other[j])) {
-        variance_[j] = 2 * zigzag_[j];  // rather too much than too little: from here it is learned quickly
+        variance_[j] = 2 * zigzag_[j];  // rather too large than too small: it is learned quickly from here
         blocks_[j] = std::min(blocks_[j], Scalar(kWatch));
       }
     }
   }
 
-  /// Takes in a block of which it is sure that nothing happened in it.
-  /// @param empty       which of the two hypotheses the innovations are of: those of two are not compared
-  /// @param innovation  e [N m]
-  /// @param variance    S of e [(N m)^2]
-  /// @param block       that they are of
+  /// Learns from a block in which almost certainly nothing happened.
+  /// @param empty       true if the innovations are of Hypothesis::Empty, false if they are of Steady. Innovations of
+  ///                    different hypotheses are not subtracted from each other
+  /// @param innovation  e of each joint [N m]
+  /// @param variance    S of each joint [(N m)^2], > 0
+  /// @param block       the block
   /// @param regime      which joints rest in it
   void learn(bool empty, const Vector& innovation, const Vector& variance, const TorqueBlock<Scalar, Dofs>& block,
              const FrictionRegime<Scalar, Dofs>& regime) noexcept {
@@ -100,14 +104,14 @@ class SensorNoise {
     const Scalar way = block.velocity.norm() * block.duration;
     const Scalar weight = std::min(Scalar(1), way / Scalar(kFullWay));
     const Scalar keep = static_cast<Scalar>(rough_ ? kRoughKeep : kKeep);
-    const Scalar add = sqrt(Scalar(1) - keep * keep);  // white innovations have an average of variance 1
+    const Scalar add = sqrt(Scalar(1) - keep * keep);  // the average of white innovations has variance 1
     Vector evidence;
     for (int j = 0; j < Dofs; ++j) {
       const bool steady = regime.joint(j).steady();
       const auto k = static_cast<std::size_t>(j);
       if (steady && usable_[k]) {
         const Scalar difference = innovation[j] - last_[j];
-        // Single large differences are events, not noise.
+        // A single large difference is an event, not noise.
         const Scalar square = std::min(Scalar(0.5) * difference * difference, 9 * variance_[j]);
         blocks_[j] = std::min(blocks_[j] + 1, Scalar(kMemory));
         variance_[j] = std::max(floor_[j], variance_[j] + (square - variance_[j]) / blocks_[j]);
@@ -122,12 +126,12 @@ class SensorNoise {
     }
     learn_residual(evidence, weight);
   }
-  /// Something happens: the next block has no predecessor.
+  /// To be called after a block that is not learned from: the next innovation has no predecessor.
   void interrupt() noexcept { usable_.fill(false); }
 
  private:
-  /// @param evidence  for a larger residual, of each joint
-  /// @param weight    that the block has, 0 to 1
+  /// @param evidence  of each joint, > 0 for a larger residual
+  /// @param weight    of the block, 0 to 1
   void learn_residual(const Vector& evidence, Scalar weight) noexcept {
     using std::exp;
     if (!rough_) motion_ = std::min(motion_ + weight, Scalar(kMotion));
@@ -142,30 +146,31 @@ class SensorNoise {
     }
   }
 
-  // [N m] of the arm's scale; a sensor that shows less is not switched on, and will be noisier.
+  // Smallest standard deviation of the noise, times the joint's scale [N m]. A sensor that shows less is not switched
+  // on yet, and will be noisier.
   static constexpr double kLeastNoise = 0.008;
-  /// Of the arm's scale [N m]: where learning begins, and its bounds.
+  /// First value and bounds of the residual's standard deviation, times the joint's scale [N m].
   struct Range {
     double first, least, largest;
   };
-  // No rigid-body model is better than the least, whatever a few seconds of motion show. Link side and joint friction
-  // begin and end alike: of two kinds, the one with the smaller residual would be believed of an arm that has none,
-  // whether friction shows or not. A residual on a link-side arm that could absorb as much as friction would be one
-  // more friction model, and a bad one.
+  // No rigid-body model is better than `least`, whatever a few seconds of motion show. Link side and joint friction
+  // have the same range. Otherwise, on an arm without a residual, the kind with the smaller one would win, whether
+  // there is friction or not. With a larger bound, a link-side arm's residual could absorb friction, as a bad friction
+  // model.
   static constexpr Range kResidual[kSensings] = {{0.015, 0.005, 0.1}, {0.015, 0.005, 0.1}, {0.3, 0.1, 4}};
-  static constexpr double kPriorBlocks = 5;  // that the prior counts for
-  static constexpr double kWatch = 25;       // blocks that watch() looks back on
-  static constexpr double kNoisier = 4;      // times the variance, which no hour of events and white noise shows
-  static constexpr double kMost = 9;         // times the variance that one block may show: one event is not enough
-  static constexpr double kMemory = 500;     // blocks: 10 s
-  static constexpr double kFullWay = 0.002;  // [rad] in a block: 0.1 rad/s
-  static constexpr double kOwn = 4;          // joints, as so many a joint's own evidence counts for its residual
-  static constexpr double kStep = 0.05;      // of log variance per unit of correlation, at first
-  static constexpr double kNew = 100;        // blocks of motion for which that is so
-  static constexpr double kMotion = 1000;    // blocks of motion that are remembered: 20 s
-  static constexpr double kKeep = 0.96;      // of a block: the average looks half a second back
-  static constexpr double kRoughKeep = 0.9;  // 0.2 s
-  static constexpr double kShare = 0.5;      // of the size of innovations, in the evidence
+  static constexpr double kPriorBlocks = 5;  // number of blocks for which the noise's prior counts
+  static constexpr double kWatch = 25;       // memory of watch() in blocks: 0.5 s
+  static constexpr double kNoisier = 4;      // times the noise variance: an hour of events and white noise stays below
+  static constexpr double kMost = 9;         // times the noise variance, bound of one product: one event is not enough
+  static constexpr double kMemory = 500;     // memory of the noise in blocks: 10 s
+  static constexpr double kFullWay = 0.002;  // motion in a block from which it has full weight [rad]: 0.1 rad/s
+  static constexpr double kOwn = 4;          // factor of a joint's evidence; a rough model has the sum over all joints
+  static constexpr double kStep = 0.05;      // change of the log variance per unit of evidence, at first
+  static constexpr double kNew = 100;        // blocks of motion after which the residual is learned more slowly: 2 s
+  static constexpr double kMotion = 1000;    // blocks of motion from which the rate stays: 20 s, a tenth of the rate
+  static constexpr double kKeep = 0.96;      // factor per block of the average of innovations: half a second
+  static constexpr double kRoughKeep = 0.9;  // the same for a rough model: 0.2 s
+  static constexpr double kShare = 0.5;      // weight of the innovations' size in the evidence of a rough model
   static constexpr double kGravity = 9.81;   // [m/s^2]
 
   bool rough_;
@@ -174,8 +179,8 @@ class SensorNoise {
   Vector torque_ = Vector::Zero(), slope_ = Vector::Zero(), bend_ = Vector::Zero(), zigzag_ = Vector::Zero();
   std::array<bool, static_cast<std::size_t>(Dofs)> usable_{};
   Range range_;
-  Vector residual_;            // [N m] of the arm's scale
-  Scalar motion_ = Scalar(1);  // blocks
+  Vector residual_;            // standard deviation, times the joint's scale [N m]
+  Scalar motion_ = Scalar(1);  // blocks of motion, at most kMotion
   bool was_empty_ = true;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The Gaussian of one filter: a payload's inertial parameters, and what else each joint's torque contains.
+/// The Gaussian state of one filter: a payload's inertial parameters, and the nuisances of each joint's torque.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,45 +10,47 @@
 
 namespace rme {
 
-/// What a joint's torque contains besides the payload's; the order of every nuisance vector.
+/// What a joint's torque contains in addition to the payload's torque. Nuisance vectors have this order.
 enum Nuisance : int {
-  kOffset,   ///< of the torque sensor [N m]
-  kCoulomb,  ///< friction of a moving joint, against its motion [N m]
-  kViscous,  ///< the same per joint velocity [N m s/rad]
-  kLag =
-      kViscous,  ///< of a sensor that sees no friction, in place of it: tau_ext minus lag times its rate is in time [s]
-  kResidual,     ///< of the arm's rigid-body model: wanders as the arm moves [N m]
-  kStiction,     ///< friction torque of a resting joint [N m]
+  kOffset,   ///< offset of the torque sensor [N m]
+  kCoulomb,  ///< Coulomb friction of a moving joint, against its motion [N m]
+  kViscous,  ///< viscous friction [N m s/rad]
+  /// In place of viscous friction with link-side sensing, which sees none: lag of the torque [s]. The torque minus lag
+  /// times its rate is in time with the motion.
+  kLag = kViscous,
+  kResidual,  ///< error of the arm's rigid-body model; changes as the arm moves [N m]
+  kStiction,  ///< friction torque of a resting joint [N m]
 };
-inline constexpr int kJointNuisances = 5;  ///< enumerators of Nuisance
+inline constexpr int kJointNuisances = 5;  ///< number of nuisances of a joint
 
 template <typename Scalar>
 using JointNuisanceVector = Eigen::Matrix<Scalar, kJointNuisances, 1>;  ///< beta_j, in the order of Nuisance
 template <typename Scalar>
 using JointNuisanceMatrix = Eigen::Matrix<Scalar, kJointNuisances, kJointNuisances>;  ///< covariance of beta_j
 
-/// y = h^T phi + c^T beta_j + noise: the torque of one joint, averaged over a block of samples (docs/theory.md (T14)).
+/// Measurement of one joint's torque, averaged over a block of samples (docs/theory.md (T14)): y = h^T phi + c^T beta_j
+/// + noise.
 template <typename Scalar>
 struct JointObservation {
   Scalar torque;                  ///< y [N m]
   InertialVector<Scalar> h;       ///< regressor of phi
   JointNuisanceVector<Scalar> c;  ///< regressor of the joint's nuisances
-  Scalar noise;                   ///< variance [(N m)^2], > 0
+  Scalar noise;                   ///< variance of the noise [(N m)^2], > 0
 };
 
-/// N over phi and beta_1 .. beta_n, the joints' nuisances, in the form of a star: given phi, the joints are
-/// independent,
+/// Gaussian over phi and the joints' nuisances beta_1 .. beta_n. It has the form of a star: given phi, the joints are
+/// independent (docs/theory.md (T15)),
 ///
 ///     phi ~ N(mean, F F^T),   beta_j | phi ~ N(b_j + B_j phi, V_j)
 ///
-/// A joint's torque depends only on phi and on its own beta, so that observe() keeps this form exactly, at a
-/// fifth of what a dense covariance costs. replace_payload(), diffuse() and mix() would couple the joints: each gives
-/// the nearest star, which has the right moments of phi and every beta_j, pair by pair (docs/theory.md, "The star"; the
-/// form is (T15)).
+/// A joint's torque depends only on phi and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
+/// cost of a dense covariance. replace_payload(), diffuse() and mix() would couple the joints. Each of them gives the
+/// nearest star instead, which has the right mean and covariance of every pair (phi, beta_j) (docs/theory.md, "The
+/// star").
 ///
-/// F is a square root of the covariance and is updated as such (Potter's form: Maybeck, Stochastic Models, Estimation,
-/// and Control 1, 7.3), so that the covariance cannot lose its positive definiteness to rounding, in float either.
-/// Real time: no call allocates.
+/// F is a square root of the covariance of phi, and is updated as such (Potter's form: Maybeck, Stochastic Models,
+/// Estimation, and Control 1, 7.3). So rounding cannot make the covariance indefinite, even in float. Initially the
+/// hand is empty and all nuisances are zero. Real time: no call allocates.
 template <typename Scalar, int Dofs>
 class StarGaussian {
  public:
@@ -57,7 +59,7 @@ class StarGaussian {
   using Beta = JointNuisanceVector<Scalar>;                         ///< 5x1
   using BetaMatrix = JointNuisanceMatrix<Scalar>;                   ///< 5x5
   using Slope = Eigen::Matrix<Scalar, kInertial, kJointNuisances>;  ///< 10x5
-  /// beta_j given phi.
+  /// Gaussian of beta_j given phi.
   struct Joint {
     Beta mean = Beta::Zero();                    ///< b_j
     Slope slope = Slope::Zero();                 ///< B_j^T
@@ -65,7 +67,7 @@ class StarGaussian {
   };
 
   const Phi& mean() const noexcept { return mean_; }  ///< of phi
-  /// F F^T of phi.
+  /// Covariance of phi, F F^T.
   PhiMatrix covariance() const noexcept { return detail::outer_square(factor_); }
   /// Variance of the mass [kg^2].
   Scalar mass_variance() const noexcept {
@@ -73,17 +75,17 @@ class StarGaussian {
     for (int k = 0; k < kInertial; ++k) sum += factor_(0, k) * factor_(0, k);
     return sum;
   }
-  /// Joint j, 0 .. Dofs - 1.
+  /// Gaussian of beta_j given phi, j from 0 to Dofs - 1.
   Joint& joint(int j) noexcept { return joints_[static_cast<std::size_t>(j)]; }
-  /// Joint j, 0 .. Dofs - 1.
+  /// Gaussian of beta_j given phi, j from 0 to Dofs - 1.
   const Joint& joint(int j) const noexcept { return joints_[static_cast<std::size_t>(j)]; }
-  /// Mean of beta_j, whatever phi is.
+  /// Marginal mean of beta_j.
   Beta nuisance_mean(int j) const noexcept {
     Beta mean = joint(j).mean;
     if (!empty_) mean += detail::transposed_product(joint(j).slope, mean_);
     return mean;
   }
-  /// Covariance of beta_j, whatever phi is.
+  /// Marginal covariance of beta_j.
   BetaMatrix nuisance_covariance(int j) const noexcept {
     BetaMatrix V = joint(j).covariance;
     if (empty_) return V;
@@ -92,7 +94,7 @@ class StarGaussian {
     return V;
   }
 
-  /// Whether all of it is finite: numbers that no arm reports may overflow, in float above all.
+  /// Whether all numbers are finite. Input that no real arm reports may overflow, above all in float.
   bool finite() const noexcept {
     bool good = detail::finite(mean_) && detail::finite(factor_);
     for (const Joint& joint : joints_)
@@ -100,17 +102,19 @@ class StarGaussian {
     return good;
   }
 
-  /// What an observation is expected to be.
+  /// Prediction of an observation, in the symbols of docs/theory.md (T16) and (T18).
   struct Prediction {
-    Scalar innovation;         ///< e = y - E[y]
-    Scalar variance;           ///< S of e
-    Scalar given_payload;      ///< variance of y for a known phi, noise included
-    Phi gain_row;              ///< h + B_j^T c: how y depends on phi, the nuisances' share included
-    Phi spread;                ///< F^T gain_row
+    Scalar innovation;         ///< e = y - E[y] [N m]
+    Scalar variance;           ///< S, the variance of e [(N m)^2]
+    Scalar given_payload;      ///< v, the variance of y for a known phi, noise included [(N m)^2]
+    Phi gain_row;              ///< u = h + B_j^T c: how y depends on phi, directly and through beta_j
+    Phi spread;                ///< F^T u
     Beta nuisance_spread;      ///< V_j c
     Scalar conditional_error;  ///< y - c^T b_j
   };
-  /// What is expected of the torque of joint j (docs/theory.md (T16)).
+  /// Predicts the torque of joint j (docs/theory.md (T16)).
+  /// @param j  0 .. Dofs - 1
+  /// @param o  the observation
   Prediction predict(int j, const JointObservation<Scalar>& o) const noexcept {
     const Joint& joint = this->joint(j);
     Prediction p;
@@ -128,7 +132,9 @@ class StarGaussian {
     p.innovation = p.conditional_error - detail::dot(p.gain_row, mean_);
     return p;
   }
-  /// Takes the observation in (docs/theory.md (T17, T18)). `p` is what predict() said of it.
+  /// Updates the state with an observation (docs/theory.md (T17, T18)).
+  /// @param j  0 .. Dofs - 1
+  /// @param p  predict() of this observation, for the same j and the present state
   void observe(int j, const Prediction& p) noexcept {
     using std::sqrt;
     Joint& joint = this->joint(j);
@@ -144,7 +150,8 @@ class StarGaussian {
     detail::add_outer(joint.covariance, minus_gain, p.nuisance_spread);
   }
 
-  /// phi is drawn anew, whatever it was: N(mean, factor factor^T). What was known of the joints stays.
+  /// Replaces the distribution of phi by N(mean, factor factor^T). Each beta_j keeps its marginal distribution and is
+  /// independent of phi afterwards.
   void replace_payload(const Phi& mean, const PhiMatrix& factor) noexcept {
     for (int j = 0; j < Dofs; ++j) {
       Joint& joint = this->joint(j);
@@ -158,14 +165,15 @@ class StarGaussian {
     factor_ = factor;
     empty_ = false;
   }
-  /// The hand is empty: phi = 0.
+  /// Sets phi to 0 for certain: the hand is empty. Each beta_j keeps its marginal distribution.
   void empty_payload() noexcept {
     if (empty_) return;
     replace_payload(Phi::Zero(), PhiMatrix::Zero());
     empty_ = true;
   }
 
-  /// phi += N(0, Q).
+  /// Adds process noise to phi: phi += N(0, Q). Each beta_j keeps its moments with phi as they were.
+  /// @param Q  positive semidefinite; if it is not finite, nothing changes
   void diffuse(const PhiMatrix& Q) noexcept {
     const PhiMatrix before = covariance();
     PhiMatrix total = before, lower;
@@ -184,17 +192,19 @@ class StarGaussian {
   }
 
   /// The star with the moments of a mixture of stars.
-  /// @param parts    the components that count; those whose weight is 0 are not looked at
-  /// @param weights  sum to one
+  /// @param parts    the components; one whose weight is 0 is not read
+  /// @param weights  of the components, >= 0, sum 1
   template <std::size_t Count>
   static StarGaussian mix(const std::array<const StarGaussian*, Count>& parts,
                           const std::array<Scalar, Count>& weights) noexcept;
-  /// The same, of the nuisances alone: the hand is empty, whatever each component says of the payload.
+  /// The same for the nuisances alone: in the result the hand is empty, whatever phi is in the components. Parameters
+  /// as in mix().
   template <std::size_t Count>
   static StarGaussian mix_emptied(const std::array<const StarGaussian*, Count>& parts,
                                   const std::array<Scalar, Count>& weights) noexcept;
 
-  /// P = L L^T, L lower triangular. A direction of which P says nothing, to rounding, gets a column of zeros.
+  /// Cholesky factorisation P = L L^T, L lower triangular, for a positive semidefinite P. A direction whose variance is
+  /// zero, to within rounding, gets a column of zeros.
   /// @return false if P is not finite; then L is as it was
   static bool factorise(const PhiMatrix& P, PhiMatrix& L) noexcept {
     using std::sqrt;
@@ -203,7 +213,7 @@ class StarGaussian {
     for (int j = 0; j < kInertial; ++j) {
       Scalar pivot = P(j, j);
       for (int k = 0; k < j; ++k) pivot -= out(j, k) * out(j, k);
-      // Relative to its own diagonal entry, since kilograms and kilogram square metres stand side by side.
+      // Relative to its own diagonal entry, since the entries have different units.
       if (!(pivot > Eigen::NumTraits<Scalar>::epsilon() * 16 * P(j, j))) continue;
       out(j, j) = sqrt(pivot);
       for (int i = j + 1; i < kInertial; ++i) {
@@ -217,7 +227,7 @@ class StarGaussian {
   }
 
  private:
-  /// L^+ of factorise()'s L, with zeros in the rows and columns of directions of which it says nothing.
+  /// Inverse of factorise()'s L in the directions that have variance, with zeros in the rows and columns of the others.
   static PhiMatrix inverted(const PhiMatrix& L) noexcept {
     PhiMatrix out = PhiMatrix::Zero();
     for (int j = 0; j < kInertial; ++j) {
@@ -232,10 +242,10 @@ class StarGaussian {
     }
     return out;
   }
-  /// What a joint's nuisances are for a known payload, from moments of both.
-  /// @param inverse          inverted() of the factor of the payload's covariance
-  /// @param phi              the payload's mean
-  /// @param mean, cross, V   E[beta], cov(phi, beta), cov(beta), whatever the payload is
+  /// Gaussian of a joint's nuisances given phi, from the moments of both.
+  /// @param inverse         inverted() of the factor of cov(phi)
+  /// @param phi             E[phi]
+  /// @param mean, cross, V  E[beta], cov(phi, beta), cov(beta)
   static Joint given_payload(const PhiMatrix& inverse, const Phi& phi, const Beta& mean, const Slope& cross,
                              const BetaMatrix& V) noexcept {
     const Slope white = detail::product(inverse, cross);
@@ -253,7 +263,7 @@ class StarGaussian {
 
   Phi mean_ = Phi::Zero();
   PhiMatrix factor_ = PhiMatrix::Zero();  // F
-  bool empty_ = true;                     // phi = 0 for certain, so that slopes, whatever they are, count for nothing
+  bool empty_ = true;                     // phi = 0 for certain; slopes are then not used
   std::array<Joint, static_cast<std::size_t>(Dofs)> joints_;
 };
 

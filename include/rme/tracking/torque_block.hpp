@@ -1,5 +1,5 @@
 #pragma once
-/// Some tens of milliseconds of an arm, averaged: the tracker's measurement.
+/// Averages samples over 20 to 60 ms: the tracker's measurement.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/flange_motion.hpp>
@@ -11,87 +11,87 @@
 
 namespace rme {
 
-inline constexpr int kBlockParts = 4;  ///< parts of a block whose velocities are told apart
+inline constexpr int kBlockParts = 4;  ///< parts of a block, for which velocity and regressor are computed separately
 
 /// Averages over a block of samples.
 template <typename Scalar, int Dofs>
 struct TorqueBlock {
   double end = 0;                                       ///< instant of its last sample [s]
   Scalar duration = Scalar(0);                          ///< [s], > 0
-  JointVector<Scalar, Dofs> tau;                        ///< external torque, the observer's lag taken out [N m]
-  JointVector<Scalar, Dofs> torque_rate;                ///< of tau_ext as it came [N m/s]
-  Eigen::Matrix<Scalar, Dofs, kInertial> regressor;     ///< d tau / d phi
+  JointVector<Scalar, Dofs> tau;                        ///< external torque, the observer's lag removed [N m]
+  JointVector<Scalar, Dofs> torque_rate;                ///< rate of change of the filtered tau_ext [N m/s]
+  Eigen::Matrix<Scalar, Dofs, kInertial> regressor;     ///< J^T Y of (T10): d tau / d phi
   Jacobian<Scalar, Dofs> jacobian;                      ///< of the last sample
   Matrix3<Scalar> rotation;                             ///< of the last sample
-  JointVector<Scalar, Dofs> velocity;                   ///< dq [rad/s]
-  Eigen::Matrix<Scalar, Dofs, kBlockParts> velocities;  ///< the same over the parts of the block [rad/s]
-  JointVector<Scalar, Dofs> torque_step;                ///< smallest change of tau_ext so far: its resolution [N m]
-  JointVector<Scalar, Dofs> velocity_noise;             ///< variance of a sample of dq, learned so far [(rad/s)^2]
-  int samples = 0;                                      ///< that were averaged
+  JointVector<Scalar, Dofs> velocity;                   ///< mean of dq [rad/s]
+  Eigen::Matrix<Scalar, Dofs, kBlockParts> velocities;  ///< mean of dq over each part of the block [rad/s]
+  JointVector<Scalar, Dofs> torque_step;                ///< smallest change of tau_ext so far; 0 if none [N m]
+  JointVector<Scalar, Dofs> velocity_noise;             ///< learned variance of the noise of dq [(rad/s)^2]
+  int samples = 0;                                      ///< number of samples
 };
 
-/// What is known of a block beside its samples.
+/// What is known of a block in addition to its samples.
 template <typename Scalar>
 struct BlockContext {
   bool exchange_likely = false;  ///< the host says that the payload changes now
-  bool kind_likely = true;       ///< the arm may well have this bank's kind of torque sensing
-  bool friction_shows = false;   ///< it is certain that joint friction shows in tau_ext
-  /// By how much phi has changed since the block before, from which the compensation is computed [kg, kg m, kg m^2].
+  bool kind_likely = true;       ///< the arm is not unlikely to have this bank's kind of torque sensing
+  bool friction_shows = false;   ///< it is certain that tau_ext contains joint friction
+  /// Change of the phi that is compensated, since the last block [kg, kg m, kg m^2].
   InertialVector<Scalar> compensation_change = InertialVector<Scalar>::Zero();
 };
 
-/// Gathers samples into blocks.
+/// Averages samples over blocks.
 ///
-/// The observer's lag: r_k = r_k-1 + b (tau_k - r_k-1) is inverted, tau_k = r_k-1 + (r_k - r_k-1) / b. White noise of
-/// the sensor comes out white, and the errors that quantisation, delay or a wrong bandwidth make in single samples
-/// cancel within a block but for its two ends (docs/theory.md (T8)).
+/// The observer's filter r_k = r_k-1 + b (tau_k - r_k-1) is inverted: tau_k = r_k-1 + (r_k - r_k-1) / b (docs/theory.md
+/// (T8)). For an observer of period p, b is 1 - (1 - K p)^(dt / p). Noise that was white before the filter is white
+/// again. The errors of quantised, late or differently filtered samples cancel within a block, except at its two ends.
 ///
-/// Torque and acceleration are averaged with the same weights, 6 s (1 - s) over the block (docs/theory.md (T9)): the
-/// average of differences of J dq is then the least-squares slope of J dq, which is as little noise of dq as a straight
-/// line lets through, and the torque is the one that belongs to it. A block lasts 20 ms, and up to 60 ms where dq is
-/// noisy: the payload's torque is regressed on this acceleration, and errors of a regressor do not average out, they
-/// make the payload look lighter.
+/// Torque and acceleration are averaged with the same weights, 6 s (1 - s) over the block (docs/theory.md (T9)). The
+/// average of the differences of J dq is then the least-squares slope of J dq, which has the least variance of all
+/// linear estimates of the acceleration, and the averaged torque belongs to this acceleration. Blocks last 20 ms, and
+/// up to 60 ms if dq is noisy: the acceleration is part of the payload's regressor, and errors of a regressor do not
+/// average out, but make the payload look lighter.
 ///
-/// Periods may vary, and samples may be missing: the time between two samples is what counts. Real time: add() is
-/// O(Dofs), and O(10 Dofs) on the last sample of each part; nothing allocates.
+/// Periods may vary, and samples may be missing: each sample counts for the time since the last one. Real time: add()
+/// is O(Dofs), and O(10 Dofs) on the last sample of each part; nothing allocates.
 template <typename Scalar, int Dofs>
 class BlockAverager {
  public:
-  static constexpr double kDuration = 0.02;          ///< of a block, where dq is clean [s]
-  static constexpr double kLongest = 3 * kDuration;  ///< where it is noisy [s]
-  /// Of the arm's own observer, which may be faster than the host [s].
+  static constexpr double kDuration = 0.02;          ///< duration of a block if dq has little noise [s]
+  static constexpr double kLongest = 3 * kDuration;  ///< longest duration, if dq is noisy [s]
+  /// Period p of the arm's own observer, which may run faster than the host's loop [s].
   static constexpr double kObserverPeriod = 0.001;
 
-  /// @param bandwidth  K of the observer that tau_ext has gone through [rad/s]; 0 if it is unfiltered
+  /// @param bandwidth  K of the observer that computed tau_ext [rad/s]; 0 if tau_ext is unfiltered
   /// @param gravity    g [m/s^2], world axes
-  /// @param longest    that noise of dq may make a block [s], >= kDuration
+  /// @param longest    longest duration of a block if dq is noisy [s], >= kDuration
   BlockAverager(double bandwidth, const Vector3<Scalar>& gravity, double longest = kLongest) noexcept
       : bandwidth_(bandwidth), gravity_(gravity), longest_(longest) {
     clear();
   }
 
-  /// Adds a sample that check() has found to be good.
-  /// @param sample  one tick
-  /// @param dt      time since the sample before [s], > 0
-  /// @param time    of this sample [s]
-  /// @return whether block() is now a new one
+  /// Adds a sample.
+  /// @param sample  one tick, for which check() has returned Ok
+  /// @param dt      time since the last sample [s], > 0
+  /// @param time    time of this sample [s]
+  /// @return whether the sample completed a block, which block() then returns
   bool add(const Proprioception<Scalar, Dofs>& sample, double dt, double time) noexcept;
 
   /// The last complete block. Requires that add() has returned true.
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }
-  /// External torque of the last sample, the observer's lag taken out [N m].
+  /// External torque of the last sample, with the observer's lag removed [N m].
   const JointVector<Scalar, Dofs>& torque() const noexcept { return torque_; }
-  /// Forgets what has been gathered and the sample before: the next one is a first one.
+  /// Discards the current block and the last sample. The noise of dq and the resolution of tau_ext are kept.
   void clear() noexcept {
     started_ = false;
     begin();
   }
 
  private:
-  // Error of the acceleration that noise of dq may cause over a block [m/s^2].
+  // Standard deviation of a block's acceleration due to noise of dq, above which blocks are made longer [m/s^2].
   static constexpr double kFeigned = 0.02;
-  static constexpr int kNoiseMemory = 50;    // of what noise of dq is: blocks, a second
-  static constexpr double kNoisiest = 1e-4;  // that a first block may be [(rad/s)^2]
+  static constexpr int kNoiseMemory = 50;    // memory of the noise of dq in blocks: 1 s
+  static constexpr double kNoisiest = 1e-4;  // bound of the variance of dq's noise in the first block [(rad/s)^2]
 
   void begin() noexcept;
   void learn_noise() noexcept;
@@ -108,24 +108,24 @@ class BlockAverager {
   double longest_;
   bool started_ = false;
   Proprioception<Scalar, Dofs> last_;
-  Twist<Scalar> last_twist_;  // of the last sample
+  Twist<Scalar> last_twist_;  // J dq of the last sample
   JointVector<Scalar, Dofs> torque_ = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> difference_ = JointVector<Scalar, Dofs>::Zero();  // of dq, between the last two samples
+  JointVector<Scalar, Dofs> difference_ = JointVector<Scalar, Dofs>::Zero();  // last change of dq, sample to sample
   JointVector<Scalar, Dofs> step_ = JointVector<Scalar, Dofs>::Zero();
   int samples_ = 0;
-  // of this part
+  // Of the current part of the block.
   JointVector<Scalar, Dofs> part_velocity_;
-  Twist<Scalar> part_change_, part_twist_;  // differences, and values, of the flange's twist, times weight
+  Twist<Scalar> part_change_, part_twist_;  // weighted sums of the changes of J dq, and of J dq
   Scalar part_duration_ = Scalar(0), part_weight_ = Scalar(0), part_motion_weight_ = Scalar(0);
-  FlangeMotion<Scalar> part_motion_;  // as the host says, times weight
-  // of this block
+  FlangeMotion<Scalar> part_motion_;  // weighted sum of the motion that the host passes
+  // Of the current block.
   int parts_ = 0, differences_ = 0;
   Scalar duration_ = Scalar(0), weight_ = Scalar(0);
-  JointVector<Scalar, Dofs> squares_;  // of second differences of dq
+  JointVector<Scalar, Dofs> squares_;  // sum of the squared second differences of dq, over 6
   TorqueBlock<Scalar, Dofs> sums_, block_;
   JointVector<Scalar, Dofs> noise_ = JointVector<Scalar, Dofs>::Constant(Scalar(1e-8));  // of dq [(rad/s)^2]
-  int noise_blocks_ = 0;       // that its mean is of, this one not counted
-  double target_ = kDuration;  // of this block [s]
+  int noise_blocks_ = 0;       // number of blocks that noise_ is the mean of, at most kNoiseMemory - 1
+  double target_ = kDuration;  // intended duration of the current block [s]
 };
 
 template <typename Scalar, int Dofs>
@@ -142,21 +142,21 @@ void BlockAverager<Scalar, Dofs>::begin() noexcept {
   sums_.samples = 0;
 }
 
-/// Takes the block's second differences of dq in, and says how long the next block is to be.
+/// Updates the noise of dq with the block's second differences, and computes the duration of the next block.
 template <typename Scalar, int Dofs>
 void BlockAverager<Scalar, Dofs>::learn_noise() noexcept {
   if (differences_ > 0) {
-    // The mean of all blocks at first: what an arm's noise is has to be known before it is taken for motion.
+    // At first the mean of all blocks: the noise has to be known soon, before it is taken for motion.
     const Scalar blend = Scalar(1) / static_cast<Scalar>(noise_blocks_ + 1);
     for (int j = 0; j < Dofs; ++j) {
       const Scalar seen = squares_[j] / Scalar(differences_);
-      // With single large values cut: accelerations that change are no noise.
+      // Single large values are limited: they come from changes of the acceleration, not from noise.
       const Scalar most = noise_blocks_ > 0 ? 25 * noise_[j] + Scalar(1e-8) : Scalar(kNoisiest);
       noise_[j] += blend * (std::min(seen, most) - noise_[j]);
     }
     noise_blocks_ = std::min(noise_blocks_ + 1, kNoiseMemory - 1);
   }
-  // Of the flange's velocity, along the axis where it is largest.
+  // Variance of the noise of the flange's velocity, along the axis where it is largest.
   Scalar largest = Scalar(0);
   for (int axis = 0; axis < 3; ++axis) {
     Scalar sum = Scalar(0);
@@ -165,7 +165,7 @@ void BlockAverager<Scalar, Dofs>::learn_noise() noexcept {
   }
   const auto variance = static_cast<double>(largest);
   const double period = static_cast<double>(duration_) / std::max(1, sums_.samples);
-  // The slope of n = T / period samples has a variance of 12 / (n T^2) of one's.
+  // The slope has the variance 12 variance / (n T^2) from n = T / period samples; solved for T.
   target_ = std::max(kDuration, std::min(longest_, std::cbrt(12 * period * variance / (kFeigned * kFeigned))));
 }
 
@@ -181,7 +181,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
     begin();
     return false;
   }
-  // The observer may run faster than samples come: b of n of its periods is 1 - (1 - K p)^n.
+  // The observer may run faster than the host: over n = dt / p of its periods, b = 1 - (1 - K p)^n.
   const double gain = std::min(1.0, bandwidth_ * kObserverPeriod);
   const auto blend = bandwidth_ > 0 ? static_cast<Scalar>(1 - std::pow(1 - gain, dt / kObserverPeriod)) : Scalar(1);
   const Scalar invert = Scalar(1) / std::max(blend, Scalar(1e-6));
@@ -189,7 +189,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
     const Scalar change = sample.tau_ext[j] - last_.tau_ext[j], step = std::abs(change);
     torque_[j] = last_.tau_ext[j] + change * invert;
     if (step > Scalar(1e-7) && (step < step_[j] || step_[j] == Scalar(0))) step_[j] = step;
-    // Second differences of dq, which a steady acceleration does not enter: variance 6 sigma^2.
+    // Second differences of dq are free of a constant acceleration. Noise of variance sigma^2 gives them 6 sigma^2.
     const Scalar difference = sample.dq[j] - last_.dq[j], second = difference - difference_[j];
     if (samples_ > 0) squares_[j] += second * second / Scalar(6);
     difference_[j] = difference;
@@ -198,7 +198,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   ++samples_;
   const auto h = static_cast<Scalar>(dt);
   const Scalar along = (duration_ + part_duration_ + Scalar(0.5) * h) / static_cast<Scalar>(target_);
-  // Not quite zero where a block, of samples that jitter, lasts longer than was meant.
+  // Kept above zero, since a block whose periods jitter may last longer than intended.
   const Scalar shape = std::max(Scalar(0.05), 6 * along * (Scalar(1) - along)), weight = h * shape;
   detail::add_scaled(sums_.tau, weight, torque_);
   detail::add_scaled(sums_.torque_rate, shape, detail::difference(sample.tau_ext, last_.tau_ext));
@@ -217,11 +217,11 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   }
   last_ = sample;
   last_twist_ = twist;
-  // Half a period of tolerance, so that jitter does not make every other block longer.
+  // A tolerance of half a period, so that jitter does not make every other block longer.
   const double slack = 0.5 * dt;
   ++sums_.samples;
   const bool complete = static_cast<double>(duration_ + part_duration_) + slack >= target_;
-  // The next part's end, whatever the ones before it lasted.
+  // The end of this part on the block's time scale, so that errors of the parts' durations do not add up.
   const double end_of_part = target_ * (parts_ + 1) / kBlockParts;
   if (complete || static_cast<double>(duration_ + part_duration_) + slack >= end_of_part) end_part();
   if (!complete) return false;

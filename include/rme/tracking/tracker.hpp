@@ -1,5 +1,5 @@
 #pragma once
-/// One posterior over what is in the hand, which takes in every block.
+/// The filter over the payload, for all kinds of torque sensing.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,26 +16,29 @@
 
 namespace rme {
 
-/// What is believed after a block.
+/// The estimate after a block.
 template <typename Scalar>
 struct TrackerBelief {
-  PerHypothesis<Scalar> probability;        ///< of the hypotheses, sum one
-  InertialGaussian<Scalar> payload;         ///< phi of what is held, given that the hand is not empty
-  std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing, sum one
-  Scalar health = Scalar(1);  ///< normalised innovation squared over a second: 1 if the arm does what the model says
+  PerHypothesis<Scalar> probability;        ///< of each hypothesis, sum 1
+  InertialGaussian<Scalar> payload;         ///< of phi, given that the hand is not empty
+  std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing, sum 1
+  /// Normalised innovation squared, averaged over a second (docs/theory.md (T30)): 1 if the torque is as the model
+  /// predicts it, at most 100.
+  Scalar health = Scalar(1);
 };
 
-/// Runs a HypothesisBank for each kind of torque sensing and weighs them by how well they explain an arm in motion;
-/// the kind is a property of the arm, and is remembered.
+/// Runs a HypothesisBank for each kind of torque sensing, and averages their estimates by the probabilities of the
+/// kinds (docs/theory.md, "The tracker"). The kind is a property of the arm: its probabilities follow from how well
+/// each bank predicts the torque while the arm moves, and are remembered from event to event.
 ///
-/// Real time: nothing allocates. A block's work is spread over advance() calls, one filter each.
+/// Real time: nothing allocates. The work for a block is divided into kSteps calls of advance(), one filter each.
 template <typename Scalar, int Dofs>
 class Tracker {
  public:
-  /// @param arm            sizes of the joints' nuisances before the first sample
+  /// @param arm            sizes of noise, offset, residual and friction before the first sample
   /// @param payload        what may be picked up
   /// @param rated_payload  [kg], > 0
-  /// @param known          kind of torque sensing, if the host knows it; otherwise the arm is to show it
+  /// @param known          kind of torque sensing, if the host knows it; otherwise it is found out while the arm moves
   Tracker(const ArmPrior<Scalar, Dofs>& arm, const PayloadPrior<Scalar>& payload, Scalar rated_payload,
           std::optional<Sensing> known) noexcept
       : payload_(payload),
@@ -51,12 +54,12 @@ class Tracker {
     belief_.sensing = sensing();
   }
 
-  /// Steps that advance() takes for one block.
+  /// Number of advance() calls for one block.
   static constexpr int kSteps = static_cast<int>(kSensings * kHypotheses) + 1;
 
-  /// Starts to take in a block; one that is not finished is finished first.
-  /// @param block            the next one
-  /// @param exchange_likely  the host says that the payload changes now
+  /// Starts to process a block. If the last block is not finished, it is finished first.
+  /// @param block            the next block
+  /// @param exchange_likely  whether the host says that the payload changes now
   void begin(const TorqueBlock<Scalar, Dofs>& block, bool exchange_likely) noexcept {
     settle();
     regime_.update(block);
@@ -76,8 +79,8 @@ class Tracker {
     }
     step_ = kSteps;
   }
-  /// Does one step of what is to be done for the block.
-  /// @return whether that was the last one, so that belief() is new
+  /// Does one step of the work for the block; nothing if there is none to do.
+  /// @return whether it was the last step: belief() has then been updated
   bool advance() noexcept {
     if (step_ == 0) return false;
     --step_;
@@ -90,16 +93,16 @@ class Tracker {
         static_cast<std::size_t>(done % static_cast<int>(kHypotheses)));
     return false;
   }
-  bool busy() const noexcept { return step_ > 0; }  ///< a block is being taken in
+  bool busy() const noexcept { return step_ > 0; }  ///< whether a block is not finished
 
-  /// What is believed after the last block that was taken in whole.
+  /// The estimate after the last finished block.
   const TrackerBelief<Scalar>& belief() const noexcept { return belief_; }
-  /// The bank of the likeliest kind of sensing.
+  /// The bank of the likeliest kind of torque sensing.
   const HypothesisBank<Scalar, Dofs>& bank() const noexcept {
     return banks_[static_cast<std::size_t>(std::max_element(evidence_.begin(), evidence_.end()) - evidence_.begin())];
   }
 
-  /// The host says that the hand is empty. Data can still overturn it.
+  /// The host says that the hand is empty. If the next blocks contradict this, the estimate follows them.
   void declare_empty() noexcept {
     settle();
     for (auto& bank : banks_) {
@@ -108,8 +111,9 @@ class Tracker {
     }
     summarise();
   }
-  /// The host says what is held: moments of (m, m r), and of the inertia what the prior says of that mass. Data can
-  /// still overturn it.
+  /// The host says what the hand holds. The moments of (m, m r) follow from the payload's; the inertia has its prior
+  /// for this mass. If the next blocks contradict this, the estimate follows them.
+  /// @param payload  mass [kg], >= 0, and centre of mass [m]; finite, covariance positive semidefinite
   void set_payload(const PayloadGaussian<Scalar>& payload) noexcept {
     settle();
     const Scalar mass = payload.mean[0], variance = payload.covariance(0, 0);
@@ -138,21 +142,23 @@ class Tracker {
   }
 
  private:
-  // Odds that a host's word gets: 999 to 1.
-  static constexpr double kHostIsRight = 0.999;
-  // Friction that is taken for weight does more harm than friction that is looked for in vain. A rough model explains
-  // nearly anything, and has to do much better than the others.
-  static constexpr std::array<double, kSensings> kEvidence = {-8, 0, -40};  // before the first sample [nats]
-  // The errors of a rough model are the same again wherever the arm comes back, which its bank does not know: the payload
-  // is as uncertain as so many of the bank's standard deviations (docs/theory.md, "Friction").
+  static constexpr double kHostIsRight = 0.999;  // probability of what the host says
+  // Log probability of each kind of sensing before the first sample, up to a constant [nats]. It is worse to take
+  // friction for weight than to look for friction in vain. A rough model explains nearly anything, so it has to predict
+  // much better than the others.
+  static constexpr std::array<double, kSensings> kEvidence = {-8, 0, -40};
+  // The residual of a rough model is the same again wherever the arm comes back to, but its filters treat it as new. So
+  // they are too certain: the reported standard deviations are 1.7 times theirs (docs/theory.md, "Friction").
   static constexpr double kRoughSpread = 1.7;
-  static constexpr double kAcross = 0.15;  // of the error of a link's first moment, across the last joint's axis
-  static constexpr double kDecided = 300;  // an arm that was serviced is recognised after some seconds of motion [nats]
-  static constexpr double kUnlikely = 1e-3;  // a kind below it gets no hypothesis that is not needed
-  static constexpr double kCertain = 1e-6;   // of link-side sensing, where friction is certain to show
+  static constexpr double kAcross = 0.15;  // share of a link's error that counts across the last joint's axis (T28)
+  // Largest difference between the log probabilities of two kinds [nats]: small enough that an arm which was changed,
+  // for example at a service, is recognised after some seconds of motion.
+  static constexpr double kDecided = 300;
+  static constexpr double kUnlikely = 1e-3;  // probability of a kind below which its bank omits more hypotheses
+  static constexpr double kCertain = 1e-6;   // probability of link-side sensing below which friction is certain to show
   static constexpr double kLargestHealth = 100;
-  static constexpr double kPushed = 0.9;     // of the weight, that a push takes
-  static constexpr double kFullSpeed = 0.2;  // slower than this friction shows less than stiction hides [rad/s]
+  static constexpr double kPushed = 0.9;     // share of a block's weight that is lost while a push is likely
+  static constexpr double kFullSpeed = 0.2;  // norm of dq from which a block has its full weight [rad/s]
 
   static constexpr Scalar spread(std::size_t kind) noexcept {
     return static_cast<Scalar>(kind == static_cast<std::size_t>(Sensing::RoughModel) ? kRoughSpread : 1);
@@ -164,7 +170,7 @@ class Tracker {
 
   void finish() noexcept {
     using std::exp;
-    // What may be a push says little of the arm: another kind explains it by errors of its model.
+    // A possible push shows little of the kind of sensing: another kind can explain it by errors of its model.
     const auto pushed = static_cast<double>(belief_.probability[Hypothesis::Pushed]);
     const double weight = std::min(1.0, static_cast<double>(speed_) / kFullSpeed) * (1 - kPushed * pushed);
     for (std::size_t k = 0; k < kSensings; ++k) evidence_[k] += weight * static_cast<double>(banks_[k].finish());
@@ -220,8 +226,9 @@ class Tracker {
     belief_ = out;
   }
 
-  /// What the first moment of the link that carries the payload may be off by is an error of the payload's. The link
-  /// before turns with it but for the last joint, so that most of both errors is along that joint's axis.
+  /// Adds the error of the arm's model that cannot be distinguished from the payload (docs/theory.md (T28)): the error
+  /// of the first moment of the link that carries the payload. The link before it differs only by the turn of the last
+  /// joint, so its error along that joint's axis has the same effect.
   void add_model_error(const std::array<Scalar, kSensings>& share, InertialMatrix<Scalar>& covariance) const noexcept {
     Scalar variance = Scalar(0);
     for (std::size_t k = 0; k < kSensings; ++k) variance += share[k] * banks_[k].noise().first_moment_variance();
@@ -236,11 +243,11 @@ class Tracker {
   FrictionRegime<Scalar, Dofs> regime_;
   std::array<HypothesisBank<Scalar, Dofs>, kSensings> banks_;
   std::array<double, kSensings> evidence_ = kEvidence;  // log probability, up to a constant [nats]
-  int step_ = 0;                                        // that are left for this block
+  int step_ = 0;                                        // steps left for this block
   Scalar duration_ = Scalar(0), speed_ = Scalar(0);
   TrackerBelief<Scalar> belief_;
-  Vector3<Scalar> last_axis_ = Vector3<Scalar>::Zero();              // of the last joint, in end-effector axes
-  InertialVector<Scalar> carried_ = InertialVector<Scalar>::Zero();  // phi that belief_ had at the block before
+  Vector3<Scalar> last_axis_ = Vector3<Scalar>::Zero();              // axis of the last joint, in end-effector axes
+  InertialVector<Scalar> carried_ = InertialVector<Scalar>::Zero();  // (1 - P(Empty)) phi at the last begin()
 };
 
 }  // namespace rme

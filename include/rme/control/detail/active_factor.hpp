@@ -7,34 +7,34 @@
 
 namespace rme::detail {
 
-/// With P = B^T B, each active normal n_k has the image g_k = B n_k, and a soft one its own axis beside it, of length
-/// sqrt(c_k). The columns [g_k; sqrt(c_k) e_k] = sum_l q_l R_lk are orthogonalised by Gram and Schmidt, a second time
-/// where the first leaves little, so that S = R^T D R, D = diag(|q_l|^2), with an error that grows with the root of S's
-/// condition only (docs/theory_control.md (C9)). The q_l keep their lengths and R has ones on its diagonal, which spares
-/// a square root per column. Every q_l has the part `top` in the space of g and the part `beside` on the axes of the
-/// soft rows among the first l.
+/// With P = B^T B, each active normal n_k has the image g_k = B n_k. A soft row has in addition an axis of its own,
+/// with the entry sqrt(c_k). The columns [g_k; sqrt(c_k) e_k] = sum_l q_l R_lk are orthogonalised by the Gram-Schmidt
+/// method, a second time if the first leaves little of a column. So S = R^T D R, D = diag(|q_l|^2), and the error grows
+/// only with the square root of S's condition number (docs/theory_control.md (C9)). The q_l keep their lengths and R
+/// has ones on its diagonal, which saves a square root per column. Each q_l has a part `top` in the space of g and a
+/// part `beside` on the axes of the soft rows among the first l.
 /// @tparam Size      dimension of n
 /// @tparam Capacity  most columns
 template <typename Scalar, int Size, int Capacity>
 class ActiveFactor {
  public:
-  // Of a length that vector instructions like; the surplus is zero.
+  // Its length is a multiple of four, for vector instructions; the surplus is zero.
   using Image = Eigen::Matrix<Scalar, (Size + 3) / 4 * 4, 1>;
   using Column = std::array<Scalar, static_cast<std::size_t>(Capacity)>;
 
-  /// What a column has within the span of others, and what it adds to them.
+  /// A column as its part in the span of others and the part that is orthogonal to them.
   struct Split {
-    Column within;   // R_l, l < count
-    Image top;       // its part orthogonal to them
-    Column beside;   // the same on the axes of the soft rows; set if it has such a part
-    Scalar squared;  // length of the orthogonal part, squared
-    bool cancelled;  // whether nine tenths and more of the column lay in the span
+    Column within;   // R_l, l < count: coefficients of the part in the span
+    Image top;       // the orthogonal part in the space of g
+    Column beside;   // the orthogonal part on the axes of the soft rows, if `soft`
+    Scalar squared;  // squared length of the orthogonal part
+    bool cancelled;  // whether less than a tenth of the column's length is orthogonal
     bool soft;       // whether `beside` is set
   };
 
   void clear() noexcept { soft_ = false; }
 
-  /// Splits a column against the first `count`.
+  /// Splits a column against the first `count` columns.
   /// @param squared  |g|^2
   void split(const Image& g, Scalar squared, Scalar compliance, int count, Split& s) const noexcept {
     s.top = g;
@@ -65,16 +65,16 @@ class ActiveFactor {
     }
   }
 
-  /// The same without a root of P: g is P n, each q_l is P times a combination of normals, and a product of two columns
-  /// is that of q_l and n. This is Cholesky's method on S, with an error of its condition itself. All columns of a
-  /// factor are split either this way or that.
+  /// The same without a root of P: g is P n, each q_l is P times a combination of normals, and the product of two
+  /// columns is q_l^T n. This is Cholesky's method on S, with an error that grows with S's condition number itself. All
+  /// columns of a factor have to be split by the same of the two functions.
   /// @param n          the normal, padded with zeros
   /// @param curvature  n P n
   void split_without_root(const Image& g, const Image& n, Scalar curvature, Scalar compliance, int count,
                           Split& s) const noexcept {
     s.top = g;
     s.squared = curvature + compliance;
-    s.cancelled = s.soft = false;  // what a soft row has beside g meets no other row's n
+    s.cancelled = s.soft = false;  // a new column has no part on the axes of the others
     if (count == 0) return;
     for (int l = 0; l < count; ++l) s.within[at(l)] = q_[at(l)].dot(n) * inverse_[at(l)];
     Image top = g;  // in registers
@@ -83,7 +83,7 @@ class ActiveFactor {
     s.squared = n.dot(top) + compliance;
   }
 
-  /// Makes a column that was split against the first k the one with number k.
+  /// Stores a column that was split against the first k as column k.
   void set(int k, const Split& s) noexcept {
     inverse_[at(k)] = Scalar(1) / s.squared;
     q_[at(k)] = s.top;
@@ -142,7 +142,7 @@ class ActiveFactor {
   std::array<Column, static_cast<std::size_t>(Capacity)> r_;       // R by columns, above the diagonal
   std::array<Column, static_cast<std::size_t>(Capacity)> beside_;  // set if soft_
   Column inverse_;                                                 // 1 / |q_k|^2
-  bool soft_ = false;                                              // whether any column has been soft since clear()
+  bool soft_ = false;                                              // whether a column since clear() was soft
 };
 
 }  // namespace rme::detail

@@ -1,11 +1,10 @@
 #pragma once
-/// Bodies of ActiveSetSolver that see the metric: what a constraint is in it, and its change. Include
-/// active_set_solver.hpp.
+/// The functions of ActiveSetSolver that depend on the metric P. Do not include this file, but active_set_solver.hpp.
 #include <rme/control/active_set_solver.hpp>
 
 namespace rme {
 
-/// The constraint (row, sign) of the present problem, not yet pushed.
+/// Sets `a` to the constraint (row, sign) of the present problem (docs/theory_control.md (C8)).
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::make(int row, Scalar sign, Active& a) noexcept {
   a.row = row;
@@ -28,7 +27,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::make(int row, Scalar sign, Active& 
   a.compliance = compliance(a);
 }
 
-/// Image and curvature of a constraint.
+/// Sets image and curvature of a constraint.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::look(Active& a) noexcept {
   if (B_ == nullptr) {
@@ -41,8 +40,8 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::look(Active& a) noexcept {
   if (a.row >= MaxRows) {
     a.image = a.sign * B_->col(a.row - MaxRows);
   } else {
-    // In registers, where a.image could be a part of B for all that is known; in two sums, which do not wait for each
-    // other.
+    // In local variables: the compiler could not exclude that a.image is a part of B. In two sums that do not wait for
+    // each other.
     Image even = a.normal[0] * B_->col(0), odd = Image::Zero();
     RME_UNROLL
     for (int i = 1; i < Size; ++i) (i % 2 == 0 ? even : odd) += a.normal[i] * B_->col(i);
@@ -51,7 +50,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::look(Active& a) noexcept {
   a.curvature = a.image.squaredNorm();
 }
 
-/// Splits a constraint against the first `count`.
+/// Splits a constraint against the first `count` active ones.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::split(const Active& a, int count, Split& s) const noexcept {
   if (B_ == nullptr) {
@@ -63,29 +62,29 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::split(const Active& a, int count, S
   }
 }
 
-/// Splits a constraint against the active ones. P itself will do, and a root is not worth its time, as long as what is
-/// orthogonal is known to 64 sqrt(epsilon) of it: the rounding of n P n is a few epsilon of sum_i n_i^2 P_ii, and
-/// refine() squares a relative error.
+/// Splits a constraint against the active ones. P is accurate enough, and the time for a root is saved, as long as the
+/// squared length of the orthogonal part is above 64 sqrt(epsilon) sum_i n_i^2 P_ii: the rounding error of n P n is a
+/// few epsilon times this sum, and refine() squares the relative error that is left.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::split_safely(Active& a, Split& s) noexcept {
   split(a, count_, s);
   if (B_ != nullptr || s.squared > 64 * std::sqrt(kEpsilon) * a.normal.cwiseAbs2().dot(P_->diagonal())) return;
   needs_root_ = true;
-  take_root();  // the active constraints are as they were, but for their images
+  take_root();  // only the images of the active constraints change
   for (int k = 0; k < count_; ++k) look(active_[index(k)]);
   refactor(0);
   look(a);
   split(a, count_, s);
 }
 
-/// From here on the metric is seen through a root; for any number of constraints.
+/// From here on a root B of P is used: the host's, or else one computed from P.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::take_root() noexcept {
   if (given_ == nullptr) detail::metric_root(*P_, root_);
   B_ = given_ != nullptr ? given_ : &root_;
 }
 
-/// x <- x + P n_1 w_1 + ... for z = sum_k w_k q_k, the q_k being orthogonalised images.
+/// x <- x + B^T z, or x + z without a root, for z = sum_k w_k q_k with the orthogonalised images q_k (C9).
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::shift(const Image& z) noexcept {
   if (B_ == nullptr) {
@@ -96,6 +95,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::shift(const Image& z) noexcept {
   }
 }
 
+/// c of (C8): 0 for the box and for hard rows, unless these have become soft.
 template <typename Scalar, int Size, int MaxRows>
 Scalar ActiveSetSolver<Scalar, Size, MaxRows>::compliance(const Active& a) const noexcept {
   if (a.row >= MaxRows) return 0;
@@ -103,8 +103,8 @@ Scalar ActiveSetSolver<Scalar, Size, MaxRows>::compliance(const Active& a) const
   return soft > 0 || !relaxed_ ? soft : std::sqrt(kEpsilon) * a.curvature;
 }
 
-/// Rows that seem to contradict each other may only do so in a metric that is stretched too far for its rounding: goes
-/// on in that of P + epsilon tr(P) I, with a root of condition 1 / sqrt(epsilon) at most.
+/// Rows may seem to contradict each other only because the metric is ill-conditioned and rounded. So the method goes on
+/// in the metric of P + epsilon tr(P) I, whose root has a condition number of at most about epsilon^-1/2.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::stretch_less() noexcept {
   stretched_less_ = true;
@@ -114,7 +114,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::stretch_less() noexcept {
   remake();
 }
 
-/// Makes the hard rows soft and goes on from the active set reached, in the metric that was given.
+/// Makes the hard rows soft and goes on from the present active set, in the metric that was given.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::relax() noexcept {
   relaxed_ = true;
@@ -122,7 +122,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::relax() noexcept {
   remake();
 }
 
-/// The active constraints under another metric or compliance.
+/// Computes the active constraints anew, after a change of metric or compliance.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::remake() noexcept {
   for (int k = 0; k < count_; ++k) make(active_[index(k)].row, active_[index(k)].sign, active_[index(k)]);
@@ -130,7 +130,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::remake() noexcept {
   restore();
 }
 
-/// Rounding of g - sum_k r_k g_k's orthogonal part, in machine epsilons: B n has terms as large as |B| |n|.
+/// Rounding error of g - sum_k r_k g_k, in machine epsilons: the terms of B n are as large as |B| |n|.
 template <typename Scalar, int Size, int MaxRows>
 Scalar ActiveSetSolver<Scalar, Size, MaxRows>::noise(const Active& a, const Column& r) const noexcept {
   Vector sum = a.normal.cwiseAbs();

@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies of ActiveSetSolver; include active_set_solver.hpp.
+/// The functions of ActiveSetSolver. Do not include this file, but active_set_solver.hpp.
 #include <rme/control/active_set_solver.hpp>
 
 namespace rme {
@@ -21,7 +21,7 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   factor_.clear();
   for (int k = 0, previous = std::exchange(count_, 0); k < previous; ++k) {
     const int row = active_[index(k)].row;
-    // push() never writes beyond the entry being read, so the old list is walked while the new one grows.
+    // push() never writes beyond the entry that is read here, so the new list can replace the old one in place.
     if (row >= MaxRows || row < rows.size()) push(row, active_[index(k)].sign);
   }
   restore();
@@ -57,6 +57,7 @@ Status ActiveSetSolver<Scalar, Size, MaxRows>::run(const Vector& x_u, const Rows
   return status == Status::Ok && relaxed_ ? Status::Infeasible : status;
 }
 
+/// Appends a constraint that was split against the active ones.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::store(const Active& a, const Split& s) noexcept {
   active_[index(count_)] = a;
@@ -65,7 +66,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::store(const Active& a, const Split&
   ++count_;
 }
 
-/// Appends a constraint of an earlier active set, unless it depends on those before it.
+/// Appends a constraint of the last active set, unless it is linearly dependent on those before it.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::push(int row, Scalar sign) noexcept {
   Active& a = active_[index(count_)];
@@ -86,7 +87,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::drop(int k) noexcept {
   refactor(k);
 }
 
-/// Computes the columns from `from` on anew.
+/// Computes the columns anew, starting with number `from`.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::refactor(int from) noexcept {
   Split s;
@@ -99,7 +100,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::refactor(int from) noexcept {
   }
 }
 
-/// R^T D w = d, R lambda = w
+/// Solves R^T D w = d and R lambda = w ((C9), with the diagonal D of squared lengths).
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::solve_multipliers(Column& w) noexcept {
   Column y;
@@ -115,7 +116,7 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::solve_multipliers(Column& w) noexce
   for (int k = 0; k < count_; ++k) active_[index(k)].multiplier = y[index(k)];
 }
 
-/// Drops constraints until all multipliers are non-negative: from there on the dual method may start.
+/// Drops constraints until all multipliers are non-negative: then the dual method can start.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::restore() noexcept {
   Column w;
@@ -132,8 +133,8 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::restore() noexcept {
   move(w);
 }
 
-/// x = x_u + B^T sum_k w_k q_k (docs/theory_control.md (C9)). Multipliers do not enter: those of nearly parallel rows are
-/// large and cancel.
+/// x = x_u + B^T sum_k w_k q_k (docs/theory_control.md (C9)). The multipliers are not used: those of nearly parallel
+/// rows are large and would have to cancel.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   x_ = *x_u_;
@@ -143,8 +144,8 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::move(const Column& w) noexcept {
   if (!exact_) refine();
 }
 
-/// One step of iterative refinement on the active constraints. The correction is added to x: added to w, it would be
-/// lost to rounding.
+/// One step of iterative refinement on the active constraints. The correction is added to x, since rounding would take
+/// it from w.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
   const Vector moved = x_ - *x_u_;
@@ -164,8 +165,8 @@ void ActiveSetSolver<Scalar, Size, MaxRows>::refine() noexcept {
   reach_ = origin_ + x_.norm();
 }
 
-/// Brings a violated constraint into the active set, dropping those whose multiplier would turn negative on the way.
-/// @return false if it contradicts those that cannot be dropped
+/// Adds a violated constraint to the active set, and drops those whose multiplier would become negative on the way.
+/// @return false if it contradicts active constraints that cannot be dropped
 template <typename Scalar, int Size, int MaxRows>
 bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(Active& a) noexcept {
   Scalar rise = a.rise - a.normal.dot(x_ - *x_u_);
@@ -201,7 +202,8 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::enter(Active& a) noexcept {
   return true;
 }
 
-/// Finds the violated constraint that is furthest away in x; the active ones hold.
+/// Finds the inactive constraint with the largest violation as a distance in x.
+/// @return false if none is violated
 template <typename Scalar, int Size, int MaxRows>
 bool ActiveSetSolver<Scalar, Size, MaxRows>::most_violated(int& row, Scalar& sign) const noexcept {
   Scalar furthest = 0;
@@ -226,26 +228,28 @@ bool ActiveSetSolver<Scalar, Size, MaxRows>::most_violated(int& row, Scalar& sig
 }
 
 /// Whether the active constraints hold in x_, soft ones with their slack.
-/// @param exactly  as equalities. One whose multiplier rounding left at or below zero may lie inside its bound.
+/// @param exactly  as equalities; otherwise x may also lie inside a bound, where rounding has left the multiplier at or
+///                 below zero
 template <typename Scalar, int Size, int MaxRows>
 bool ActiveSetSolver<Scalar, Size, MaxRows>::active_hold(Scalar tolerance, bool exactly) const noexcept {
   for (int k = 0; k < count_; ++k) {
     const Active& a = active_[index(k)];
     const Scalar miss = a.bound - a.normal.dot(x_) - a.compliance * std::max(a.multiplier, Scalar(0));
-    // A single row mostly holds without the terms of |x|, and need not wait for that norm.
+    // For speed: a single row mostly holds to |b| alone, and then need not wait for the norm of x.
     if (count_ == 1 && std::abs(miss) <= tolerance * std::abs(a.bound)) return true;
     if (!((exactly ? std::abs(miss) : miss) <= tolerance * (a.norm * reach_ + std::abs(a.bound)))) return false;
   }
   return true;
 }
 
+/// Sets multipliers and slacks, and cuts x to the box.
 template <typename Scalar, int Size, int MaxRows>
 void ActiveSetSolver<Scalar, Size, MaxRows>::publish() noexcept {
   multiplier_.fill(0);
   slack_.fill(0);
   for (int k = 0; k < count_; ++k) {
     const Active& a = active_[index(k)];
-    const Scalar positive = std::max(a.multiplier, Scalar(0));  // what rounding left below zero is zero
+    const Scalar positive = std::max(a.multiplier, Scalar(0));  // rounding can leave it below zero
     multiplier_[index(a.row)] = a.sign * positive;
     slack_[index(a.row)] = a.compliance * positive;
   }

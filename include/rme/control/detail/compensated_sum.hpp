@@ -1,11 +1,12 @@
 #pragma once
-/// A sum of many small terms that float does not lose.
+/// A sum that does not lose small terms to rounding.
 #include <cmath>
 
 namespace rme::detail {
 
-/// What rounding takes from the sum is kept and added to the next term (Kahan, with Knuth's exact difference, which
-/// does not ask which of the two is larger): a million terms err by as much as one.
+/// Kahan's summation: the rounding error of the sum is kept and added to the next term. So the error does not grow with
+/// the number of terms. The rounding error is Knuth's exact one, for which it does not matter whether sum or term is
+/// larger.
 template <typename Scalar>
 class CompensatedSum {
  public:
@@ -16,7 +17,7 @@ class CompensatedSum {
     sum_ = sum;
   }
   Scalar value() const noexcept { return sum_ + rest_; }
-  /// The sum less x, without losing what is small beside both.
+  /// The sum minus x, without losing what is small compared with both.
   Scalar minus(Scalar x) const noexcept { return (sum_ - x) + rest_; }
 
  private:

@@ -9,11 +9,11 @@
 
 namespace rme::detail {
 
-/// B = L^T with P = L L^T by Cholesky's method, and rows of zeros below. Pivots have a floor of epsilon P_jj: rounding may
-/// have made a small eigenvalue of P zero or negative.
+/// B = L^T with P = L L^T by Cholesky's method, and rows of zeros below. Pivots are at least epsilon P_jj, since
+/// rounding may have made a small eigenvalue of P zero or negative.
 template <typename Root, typename Scalar, int Size>
 void metric_root(const Eigen::Matrix<Scalar, Size, Size>& P, Root& B) noexcept {
-  // The rest is updated with the inverse of the pivot: no column waits for a square root.
+  // The rest is updated with the inverse of the pivot, so that no column has to wait for a square root.
   Eigen::Matrix<Scalar, Size, Size> rest = P;  // below the diagonal
   B.setZero();
   RME_UNROLL

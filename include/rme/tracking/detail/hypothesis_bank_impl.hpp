@@ -1,5 +1,5 @@
 #pragma once
-/// What HypothesisBank does with one hypothesis: what it begins with, and what the block says of it.
+/// How HypothesisBank computes one hypothesis: its state at the start of a block, and the update with the block.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,10 +18,10 @@ Scalar HypothesisBank<Scalar, Dofs>::transition(std::size_t from, std::size_t to
   return to == steady || to == filling ? usual + more : usual;
 }
 
-/// What is known of an arm in which `to` begins, having been in `from`. A change has gone on for a while before it is
-/// noticed, and nuisances have taken on a share of it: what follows a change starts from before. So does a pour that
-/// has shown for a while. So does a push after an exchange: the exchange was that push, and the payload is the one from
-/// before.
+/// The state with which `to` starts if the block before was `from`. When a change is noticed, it has gone on for a
+/// while, and the nuisances have absorbed a part of it. So after a change, `to` starts from an earlier state, before_.
+/// The same holds for a pour that has shown for a while, and for a push after an exchange: the exchange was then the
+/// beginning of the push, and the payload is the one from before.
 template <typename Scalar, int Dofs>
 auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const noexcept -> const Star& {
   const auto h = static_cast<Hypothesis>(from);
@@ -31,12 +31,12 @@ auto HypothesisBank<Scalar, Dofs>::source(std::size_t from, Hypothesis to) const
   return change ? before_ : stars_[from];
 }
 
-/// What the filters said of the nuisances and the payload before this block, as far as each leads to `h`
-/// (docs/theory.md (T20)).
+/// The state of `h` at the start of the block: the mixture of the states from which `h` may follow (docs/theory.md
+/// (T20)).
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
   Star& out = next(h);
-  if (h == Hypothesis::Exchanged) {  // whatever was before
+  if (h == Hypothesis::Exchanged) {  // the same for every hypothesis of the block before
     out = before_;
     out.empty_payload();
     if (model_.rough()) model_.reopen_hiding(out);
@@ -69,8 +69,8 @@ void HypothesisBank<Scalar, Dofs>::mix(Hypothesis h) noexcept {
   unloaded_ = Scalar(1) - weight[index(h)];
 }
 
-/// Takes the block in, joint by joint.
-/// @return log likelihood
+/// Updates a state of next_ with the block, joint by joint.
+/// @return log p(block | hypothesis) [nats], without the constant factor of 2 pi
 template <typename Scalar, int Dofs>
 Scalar HypothesisBank<Scalar, Dofs>::update(Star& star) noexcept {
   using std::exp;
@@ -82,7 +82,7 @@ Scalar HypothesisBank<Scalar, Dofs>::update(Star& star) noexcept {
     auto p = star.predict(j, model_.observation(j, mass));
     const Scalar square = p.innovation * p.innovation;
     const auto log_density = [square](Scalar variance) { return Scalar(-0.5) * (square / variance + log(variance)); };
-    if (const Scalar jump = model_.stiction_jump(star, j); jump > 0) {  // both, by their likelihoods
+    if (const Scalar jump = model_.stiction_jump(star, j); jump > 0) {  // a mixture of both
       const Scalar stays = log_density(p.variance), jumps = log_density(p.variance + jump);
       const Scalar share = Scalar(1) / (Scalar(1) + exp(stays - jumps));
       log_likelihood += std::max(stays, jumps) + log(Scalar(1) + exp(-std::abs(stays - jumps)));
@@ -100,8 +100,8 @@ Scalar HypothesisBank<Scalar, Dofs>::update(Star& star) noexcept {
   return log_likelihood;
 }
 
-/// phi is drawn anew from the prior. How heavy it is, the block itself says best: once for the mass, and once more with
-/// the prior of m r that belongs to that mass.
+/// Replaces phi by its prior, and updates it with the block. The prior of m r needs the mass, and the block itself
+/// shows the mass best. So the update is made twice: once to find the mass, and again with the prior for that mass.
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::evaluate_exchange(Star& star) noexcept {
   const Hypothesis h = Hypothesis::Exchanged;
@@ -115,8 +115,8 @@ void HypothesisBank<Scalar, Dofs>::evaluate_exchange(Star& star) noexcept {
   likelihood_[h] += log_plausible(star);
 }
 
-/// A push says nothing of the payload, and nothing is learned from the block: only how likely it is with a wrench
-/// beside the payload.
+/// Log likelihood of the block if a wrench acts in addition to the payload. The state is not updated: a pushed block is
+/// not used to learn the payload or the nuisances.
 template <typename Scalar, int Dofs>
 Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept {
   constexpr int n = Dofs;
@@ -133,7 +133,8 @@ Scalar HypothesisBank<Scalar, Dofs>::push_likelihood(const Star& star) noexcept 
   return push_.update(e, S, model_.block().jacobian, model_.block().duration, goes_on_);
 }
 
-/// Covariance of what is poured in within a block: any mass, with its centre about where the payload's is.
+/// Covariance of the change of phi by what is poured within a block: its mass is N(0, spread^2), and its centre of mass
+/// is near the payload's.
 template <typename Scalar, int Dofs>
 InertialMatrix<Scalar> HypothesisBank<Scalar, Dofs>::filling(const Star& star) const noexcept {
   const Scalar mass = pour_.spread(model_.block().duration) * rated_;
@@ -153,7 +154,7 @@ InertialMatrix<Scalar> HypothesisBank<Scalar, Dofs>::filling(const Star& star) c
     Q(1 + i, 1 + i) += spread * spread;
   }
   if (held > Scalar(0.02) * rated_) {
-    // What is added has the payload's centre of mass, and its uncertainty, which is the same in each block.
+    // What is added has about the payload's centre of mass. The error of that estimate is the same in each block.
     const InertialMatrix<Scalar> P = star.covariance();
     const Scalar share = Scalar(0.6) * mass / held, known = Scalar(1) / std::max(P(0, 0), Scalar(1e-12));
     for (int i = 1; i < 4; ++i)
@@ -171,14 +172,15 @@ Scalar HypothesisBank<Scalar, Dofs>::log_plausible(const Star& star) const noexc
   using std::sqrt;
   const Scalar deviation = sqrt(std::max(star.mass_variance(), Scalar(1e-12)));
   const auto below = [&](Scalar m) { return Scalar(0.5) * erfc((star.mean()[0] - m) / (deviation * sqrt(Scalar(2)))); };
-  constexpr double kLightest = 0.007, kHeaviest = 1.2;  // of the rated payload: 20 g on a Panda
+  constexpr double kLightest = 0.007, kHeaviest = 1.2;  // times the rated payload: 20 g and 3.6 kg on a Panda
   return log(std::max(Scalar(1e-30), below(Scalar(kHeaviest) * rated_) - below(Scalar(kLightest) * rated_)));
 }
 
-/// Follows what comes after an exchange. If its first tenth of a second is badly explained, the observer may not be what
-/// it is said to be, and payload or nuisances have taken on what was not theirs: the payload is found again, from what was
-/// known of the arm before. Where a lag explains it, that is done with the next block, in which the lag counts; without
-/// one, after the tenth of a second, when the observer's tail is over.
+/// Watches the first tenth of a second after an exchange. If a block in it is badly explained, the observer's bandwidth
+/// may not be the stated one, and payload or nuisances have absorbed its error. The payload is then estimated again,
+/// from the arm's nuisances before the exchange. With link-side sensing this is done if a lag explains the error, with
+/// the next block, for which the lag is a nuisance. With the other kinds it is done at the end of the tenth of a
+/// second, when the observer's error has decayed.
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::follow_exchange(Hypothesis settled) noexcept {
   const bool held = probability_[Hypothesis::Steady] + probability_[Hypothesis::Filling] > Scalar(0.5);
@@ -191,7 +193,7 @@ void HypothesisBank<Scalar, Dofs>::follow_exchange(Hypothesis settled) noexcept 
   if (probability_[Hypothesis::Exchanged] > Scalar(0.5)) since_exchange_ = worst_ = Scalar(0);
 }
 
-/// Tells the pour monitor what *steady* and *filling* made of the block, while one of them is believed.
+/// Updates the pour monitor with the results of Steady and Filling, while one of them is believed.
 template <typename Scalar, int Dofs>
 void HypothesisBank<Scalar, Dofs>::follow_pour() noexcept {
   const Hypothesis steady = Hypothesis::Steady, filling = Hypothesis::Filling;

@@ -1,5 +1,5 @@
 #pragma once
-/// What JointTorqueModel does with a block.
+/// How JointTorqueModel processes a block.
 #include <algorithm>
 #include <cmath>
 #include <rme/tracking/joint_torque_model.hpp>
@@ -10,14 +10,14 @@ template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                            const FrictionRegime<Scalar, Dofs>& regime,
                                            const BlockContext<Scalar>& context) noexcept {
-  constexpr double kTiming = 0.0006;   // [s]
-  constexpr double kSteps = 8.0 / 12;  // a step's variance, times the blocks that it may stay the same
-  // tau and the motion that goes with it may be a millisecond apart; and the lag of an observer that is not quite what
-  // it is said to be is left in as a share of every change.
+  constexpr double kTiming = 0.0006;   // standard deviation of the torque's timing error [s]
+  constexpr double kSteps = 8.0 / 12;  // variance of a rounding error, 1 / 12, times the blocks that it may last
+  // Torque and motion may be a millisecond apart. And if the observer's bandwidth is not quite the stated one, its
+  // inversion leaves a share of every change of the torque.
   const Scalar share = Scalar(kTiming) / block.duration;
   for (int j = 0; j < Dofs; ++j) {
     const Scalar change = started_ ? share * (block.tau[j] - block_.tau[j]) : Scalar(0), step = block.torque_step[j];
-    // Torque that comes in steps stands still between them: what it is off by stays for many blocks.
+    // A quantised torque is constant between two steps, so its rounding error stays the same for many blocks.
     timing_noise_[j] = change * change + Scalar(kSteps) * step * step;
   }
   noise_.watch(block, timing_noise_);
@@ -27,10 +27,10 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   turn(block);
   if (started_) rate_before_ = block_.torque_rate;
   started_ = true;
-  // Noise of dq at both ends of the block is noise of the flange's acceleration: of the force on the payload, and of
-  // the moment that turns it, whose arm is the prior's.
+  // Noise of dq makes noise of the flange's acceleration, and so of the payload's inertia force and moment. The
+  // payload's distance from the flange is the prior's, inertia_arm_.
   Scalar linear_noise = Scalar(0), angular_noise = Scalar(0);  // mean over the axes
-  JointVector<Scalar, Dofs> lever, turn;                       // squares of the columns of J
+  JointVector<Scalar, Dofs> lever, turn;                       // squared norms of the columns of J_v and J_w
   for (int j = 0; j < Dofs; ++j) {
     lever[j] = turn[j] = Scalar(0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -40,8 +40,8 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     linear_noise += lever[j] * block.velocity_noise[j] / 3;
     angular_noise += turn[j] * block.velocity_noise[j] / 3;
   }
-  // The slope of n samples has 12 / n, that of a few samples what two ends make; and 2.5 times that, since the joints
-  // all see the same noise, which is left out otherwise.
+  // Variance of the slope (T29): 12 / n from n samples, and at most 2, that of the difference of two samples. The
+  // factor 2.5 makes up for the correlation of this noise over the joints, which the filter neglects.
   const auto samples = static_cast<Scalar>(std::max(1, block.samples));
   const Scalar difference = Scalar(2.5) * std::min(Scalar(2), Scalar(12) / samples) / (block.duration * block.duration);
   const Scalar linear = difference * linear_noise, angular = difference * angular_noise;
@@ -52,11 +52,11 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   friction_shows_ = context.friction_shows;
 }
 
-/// Once the torque is known to be late, each large change shows by how much. Without one, noise that is in the torque
-/// and in its rate alike would be taken for a lag.
+/// Once the torque is known to be late, each large change of it shows by how much. The lag is learned only for a while
+/// after such a change: noise is in the torque and in its rate alike, and would be taken for a lag.
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::follow_changes(const TorqueBlock<Scalar, Dofs>& block) noexcept {
-  constexpr double kLarge = 20;  // standard deviations of a block's noise
+  constexpr double kLarge = 20;  // in standard deviations of a block's noise
   watch_ = std::max(Scalar(0), watch_ - block.duration);
   for (int j = 0; j < Dofs && late_; ++j) {
     const Scalar change = block.torque_rate[j] * block.duration;
@@ -64,15 +64,15 @@ void JointTorqueModel<Scalar, Dofs>::follow_changes(const TorqueBlock<Scalar, Do
   }
 }
 
-/// A joint that rests balances whatever comes: its torque changes as that of its motor does, and its friction with it.
-/// The change is that of a ramp which is as far ahead of its average over a tenth of a second, without what noise may
-/// be: slow changes show as well as sudden ones.
+/// The friction of a resting joint balances all other torques: it changes when the motor's torque changes, and tau_ext
+/// shows this change. The change per block is computed as for a ramp, from the difference between the torque and its
+/// average over 0.08 s, less what noise may cause. So slow changes are noticed as well as sudden ones.
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept {
   using std::abs;
   using std::sqrt;
-  constexpr double kMemory = 0.08;  // [s]
-  constexpr double kNoise = 1.5;    // standard deviations of a block's, nearly two of the distance's
+  constexpr double kMemory = 0.08;  // time constant of the average [s]
+  constexpr double kNoise = 1.5;    // standard deviations of a block's noise: nearly two of the difference's noise
   if (!started_) recent_torque_ = block.tau;
   const Scalar keep = Scalar(kMemory) / (Scalar(kMemory) + block.duration);
   for (int j = 0; j < Dofs; ++j) {
@@ -82,14 +82,15 @@ void JointTorqueModel<Scalar, Dofs>::follow_torque(const TorqueBlock<Scalar, Dof
   }
 }
 
-/// So a resting joint confirms any compensation: by as much as that grows, the joint's torque does, whatever is held.
-/// Slow changes are lost in the noise of the torque, but they are known beforehand.
+/// If friction holds a joint, its torque changes by as much as the compensation does, whatever the hand holds. So the
+/// joint seems to confirm any compensation. Slow changes of the compensation are lost in the noise of the torque, but
+/// the tracker knows them: they follow from the change of its estimate.
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::follow_compensation(const TorqueBlock<Scalar, Dofs>& block,
                                                          const BlockContext<Scalar>& context) noexcept {
   using std::abs;
   using std::exp;
-  constexpr double kDelay = 0.04;  // until a new compensation shows in tau_ext: drive, arm and observer [s]
+  constexpr double kDelay = 0.04;  // time constant until tau_ext shows a new compensation: drive, arm, observer [s]
   const Scalar keep = exp(-block.duration / Scalar(kDelay));
   for (int j = 0; j < Dofs; ++j) {
     Scalar torque = Scalar(0);
@@ -100,14 +101,14 @@ void JointTorqueModel<Scalar, Dofs>::follow_compensation(const TorqueBlock<Scala
   }
 }
 
-/// How far each joint's friction has turned over: a change of v / (|v| + kSlow), 1 from rest to motion, 2 for a
-/// reversal.
+/// Computes how far each joint's friction has turned over since the last block: the change of v / (|v| + kSlow), which
+/// is 1 from rest to fast motion and 2 for a reversal.
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::turn(const TorqueBlock<Scalar, Dofs>& block) noexcept {
   using std::abs;
   using std::exp;
   constexpr double kSlow = 0.05;     // [rad/s]
-  constexpr double kTurnTime = 0.2;  // that it takes friction to settle [s]
+  constexpr double kTurnTime = 0.2;  // time constant with which friction settles again [s]
   if (!started_) return;
   const Scalar keep = exp(-block.duration / Scalar(kTurnTime));
   for (int j = 0; j < Dofs; ++j) {
@@ -117,17 +118,17 @@ void JointTorqueModel<Scalar, Dofs>::turn(const TorqueBlock<Scalar, Dofs>& block
   }
 }
 
-/// How the nuisances change over a block, before its torque is taken in.
+/// Time update of the nuisances.
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
   using std::exp;
-  // The residual is a function of the pose: an Ornstein-Uhlenbeck process over the way that the joints have gone.
-  constexpr double kCorrelationWay = 0.7;  // [rad]
-  constexpr double kRoughWay = 1.2;
-  constexpr double kCreepTime = 2;         // in which friction of a rough arm at rest creeps [s]
-  constexpr double kOffsetDrift = 2e-4;    // of the arm's scale, per block [N m]
-  constexpr double kFrictionDrift = 1e-4;  // of friction itself, per block: it changes as the gears warm up
-  constexpr double kStictionTime = 20;     // [s]
+  // The residual is a function of the pose: an Ornstein-Uhlenbeck process over the distance that the joints move (T27).
+  constexpr double kCorrelationWay = 0.7;  // correlation length of the residual [rad]
+  constexpr double kRoughWay = 1.2;        // the same for a rough model [rad]
+  constexpr double kCreepTime = 2;         // time constant of a rough model's stiction [s]
+  constexpr double kOffsetDrift = 2e-4;    // random walk of an offset per block, times the joint's scale [N m]
+  constexpr double kFrictionDrift = 1e-4;  // random walk of friction per block, as a share of the prior's friction
+  constexpr double kStictionTime = 20;     // time constant of the stiction while the arm moves [s]
   const bool rough = sensing_ == Sensing::RoughModel;
   const Scalar way = block_.velocity.norm() * block_.duration;
   const Scalar keep = exp(-way / Scalar(rough ? kRoughWay : kCorrelationWay));
@@ -145,12 +146,12 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
     const Scalar viscous_drift = Scalar(kFrictionDrift) * arm_.viscous[j];
     V(kCoulomb, kCoulomb) += coulomb_drift * coulomb_drift;
     V(kViscous, kViscous) += viscous_drift * viscous_drift;
-    if (rough) {  // what holds a joint that stops is another torque each time, and creeps
+    if (rough) {  // after each stop, friction holds the joint with another torque, which creeps
       renew(star, j, kStiction, hold * exp(Scalar(-0.5) * turned_[j]), stiction_variance(star, j));
       continue;
     }
     const JointFriction<Scalar>& friction = regime_.joint(j);
-    if (friction.stops) {  // what held it until it stopped holds it still, or nearly so
+    if (friction.stops) {  // friction keeps about the torque that it had when the joint stopped
       const Scalar d = Scalar(-0.95) * friction.last_direction;
       joint.mean[kStiction] = d * joint.mean[kCoulomb];
       for (int i = 0; i < kInertial; ++i) joint.slope(i, kStiction) = d * joint.slope(i, kCoulomb);
@@ -168,7 +169,7 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
 template <typename Scalar, int Dofs>
 JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scalar mass) const noexcept {
   using std::abs;
-  constexpr double kSlow = 0.003;  // where a rough arm's friction goes from stiction to that of motion [rad/s]
+  constexpr double kSlow = 0.003;  // where a rough model's friction is half stiction, half friction of motion [rad/s]
   JointObservation<Scalar> o;
   o.torque = block_.tau[j];
   for (int i = 0; i < kInertial; ++i) o.h[i] = block_.regressor(j, i);
@@ -185,7 +186,8 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
   }
   const JointFriction<Scalar>& friction = regime_.joint(j);
   o.c << 1, -friction.direction, -block_.velocity[j], 1, friction.resting;
-  if (!friction.steady()) o.noise += Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];  // when within the block?
+  // It is not known when in the block the joint started, stopped or turned back.
+  if (!friction.steady()) o.noise += Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];
   return o;
 }
 

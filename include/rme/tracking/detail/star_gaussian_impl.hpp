@@ -1,5 +1,5 @@
 #pragma once
-/// Mixtures of stars.
+/// Mixtures of StarGaussian.
 #include <array>
 #include <cstddef>
 #include <rme/tracking/star_gaussian.hpp>
@@ -50,7 +50,7 @@ StarGaussian<Scalar, Dofs> StarGaussian<Scalar, Dofs>::mix(const std::array<cons
   return out;
 }
 
-/// The same, of the nuisances alone.
+/// The same for the nuisances alone: phi is 0 in the result.
 template <typename Scalar, int Dofs>
 template <std::size_t Count>
 StarGaussian<Scalar, Dofs> StarGaussian<Scalar, Dofs>::mix_emptied(const std::array<const StarGaussian*, Count>& parts,
