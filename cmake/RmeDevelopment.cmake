@@ -28,9 +28,16 @@ function(rme_add_example name)
   set_property(GLOBAL APPEND PROPERTY RME_EXAMPLES ${name})
 endfunction()
 
-# rme_add_test(FILE [LIBRARY...]): one Catch2 program from tests/<folder>/test_<header>.cpp; each test case becomes a ctest
-# with the program's name as its label. Target tests_<folder> builds the folder's programs.
+# rme_add_test(FILE [NUMBERS] [LIBRARY...]): one Catch2 program from tests/<folder>/test_<header>.cpp; each test case becomes a
+# ctest with the program's name as its label. Target tests_<folder> builds the folder's programs. NUMBERS: it compares
+# numbers alone, and what it calls runs under the sanitizers in other tests, so that their build leaves it out.
 function(rme_add_test file)
+  if(ARGV1 STREQUAL NUMBERS)
+    list(REMOVE_AT ARGN 0)
+    if(RME_SANITIZED)
+      return()
+    endif()
+  endif()
   get_filename_component(name ${file} NAME_WE)
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   set(target ${folder}_${name})

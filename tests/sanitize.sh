@@ -3,8 +3,9 @@
 # passed on to ctest. Left out is what would say nothing that the rest does not:
 #  - the checks of headers, package, format and documentation;
 #  - the counting of allocations, and memcheck: a sanitizer brings a heap of its own;
-#  - what runs a program rather than the library's or the examples' functions, with the programs: the experiments, the
-#    replays, the drawing, the training; of the programs those that read files and are quick to compile stay;
+#  - tests that compare numbers alone (NUMBERS in the CMakeLists.txt): what they call runs in the tests of bad input, of
+#    the estimator, of the active-set solver, and in the soak;
+#  - the programs and their tests, but for those that read files: logs, URDFs, settings, weights;
 #  - other libraries' physics and dynamics, which are not instrumented;
 #  - most of the soak.
 # Nothing is optimised but what most of the time is spent in (rme_hot() in the CMakeLists.txt): it compiles in half the time.

@@ -44,7 +44,7 @@ def draw(folder):
     above.set_ylabel("position error [mm]")
     above.set_ylim(bottom=0)
     above.legend(loc="center right")
-    above.set_title(f"{on['m'].max():g} kg nobody announced")
+    above.set_title(f"{on['m'].max():g} kg, unknown to the controller")
 
     known = on["mass"] > 0
     middle.fill_between(on["t"], on["mass"] - 2 * on["mass_std"], on["mass"] + 2 * on["mass_std"], where=known,

@@ -167,7 +167,7 @@ void write_csv(const std::filesystem::path& path, const Run& run, const RigidBod
 
 void print(const Options& options, const Run& with, const Run& without) {
   const RigidBody& truth = options.payload;
-  std::printf("payload                    truth   believed after %3.0f ms   std. dev.   at the end   std. dev.\n",
+  std::printf("payload                    truth     estimate at %3.0f ms   std. dev.   at the end   std. dev.\n",
               1e3 * (with.over.time - kAttach));
   const auto row = [&](const char* name, double scale, int i, double value) {
     std::printf("  %s   %7.3f          %7.3f     %7.3f      %7.3f     %7.3f\n", name, scale * value,
@@ -179,9 +179,9 @@ void print(const Options& options, const Run& with, const Run& without) {
   row("centre of mass y  mm", 1e3, 2, truth.com[1]);
   row("centre of mass z  mm", 1e3, 3, truth.com[2]);
   std::printf("\n");
-  std::printf("noticed after        %6.0f ms, and carried from then on: %.3f kg\n", 1e3 * (with.first.time - kAttach),
+  std::printf("first compensation   %6.0f ms after the attach, for %.3f kg\n", 1e3 * (with.first.time - kAttach),
               with.first.payload.mean[0]);
-  std::printf("its coming was over  %6.0f ms after it\n", 1e3 * (with.over.time - kAttach));
+  std::printf("event over           %6.0f ms after the attach\n", 1e3 * (with.over.time - kAttach));
   std::printf("a tick takes         %6.1f us on average, %.0f us at most\n", 1e6 * with.mean_time,
               1e6 * with.longest_time);
   std::printf("\nposition error             before    at worst   %.0f s after\n", kLater);

@@ -42,17 +42,17 @@ constexpr double kMostOfTorque = 0.7;  // share of the torque limits that holds 
 constexpr const char* kUsage =
     R"(usage: rme_02_passivity [options]
 
-Keeps the energy books of an arm that is compensated for what a tracker believes, while objects come and go.
+Computes the energy balance of an arm that is compensated for a tracker's estimate, while objects are attached and dropped.
 
   --count N         how many scenarios of 20 s (default 100); the worst follow, with shorter periods
-  --hours H         then one run of so many hours about the arm's usual pose, with a tank, its books in float as well
+  --hours H         then one run of so many hours about the arm's usual pose, with a tank, its energies in float as well
                     (default 0.05)
   --seed N          of the first scenario (default 1)
   --help            this text
 
-Exit codes: 0 stored minus supplied energy never rose by more than 0.001 of what was turned over, no more than that is
-missing in the books, what holding the torque puts in goes with the period, the tank's bound held, the long run was one
-of motion; 1 not so; 2 unusable arguments.
+Exit codes: 0 stored minus supplied energy never rose by more than 0.001 of what was turned over, the imbalance is no more
+than that, what holding the torque puts in goes with the period, the tank's bound held, the long run was one of motion; 1 not
+so; 2 unusable arguments.
 )";
 
 enum class Source { Nobody, Tracker, TrackerAndTank, Liar, LiarAndTank };
@@ -325,7 +325,7 @@ int run(Arguments& arguments) {
       "of "
       "the time\nat a limit: %.0f J turned over, %.0f J dissipated; of what was turned over\n"
       "  %.1e  largest rise of stored minus supplied\n  %.1e  put in by holding the passive torque\n"
-      "  %.1e  missing in the books; %.1e more in books kept in float\n"
+      "  %.1e  imbalance; %.1e more with energies kept in float\n"
       "The compensation put in %.1f J at most from any tick on, less a refill of %.1f W: %.1f J within the tank's "
       "bound.\n"
       "By being held for a tick it put in %.2g J. The tank let through a share of %.2f of it or more.\n",

@@ -27,7 +27,7 @@ constexpr double kRecovery = 1.5;  // time after push and last infeasible tick u
 constexpr const char* kUsage =
     R"(usage: rme_02_scenarios [options]
 
-Runs random scenarios of five seconds under the constrained passive controller and prints what became of its promises.
+Runs random scenarios of five seconds under the constrained passive controller and prints how far each bound was exceeded.
 
   --count N         how many scenarios (default 1000); a fifth as many with pushes beyond the torque limits follow
   --seed N          of the first scenario (default 1)
@@ -300,7 +300,7 @@ int run(Arguments& arguments) {
   for (int p = 0; p < 3; ++p) {
     std::printf(
         "  period %.2f ms, %4d scenarios without friction: largest rise %8.1e J, put in by holding the torque %8.1e J, "
-        "missing in the books %8.1e J\n",
+        "imbalance %8.1e J\n",
         1e3 * periods[p], count / 10, by_period[p].energy_gain, by_period[p].held, by_period[p].imbalance);
   }
   return kept ? 0 : 1;

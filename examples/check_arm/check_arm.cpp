@@ -1,13 +1,13 @@
-// check_arm: what does this arm's torque look like with an empty hand, and how light a payload can be seen?
+// check_arm: analyses an arm's torque with an empty hand, and finds the lightest payload that it can show.
 //
 // Reads logs in replay_log's format in which the hand is empty. Prints noise, offset, friction and what is left, joint
 // by joint; whether sign, units and frames can be right; the lightest payload that shows within 0.2, 1 and 5 s; and
-// what the estimator finds in the same logs with the settings that follow. With --output it writes those settings
-// (settings.json, for replay_log --config and for Estimator), and what plot.py draws. If other links explain measured
-// torque much better than the URDF's, the settings are for the arm with these, which is written beside them
-// (corrected.urdf). The logs should show what the arm does at work: each joint in both directions, slowly and fast,
-// with stops. Exit codes: 0; 1 the logs cannot be of this arm as described; 2 unusable arguments; 3 unusable log or
-// URDF.
+// what the estimator finds in the same logs with the settings that check_arm makes. With --output it writes these
+// settings (settings.json, for replay_log --config and for Estimator) and the data that plot.py draws. If other masses,
+// centres of mass and inertias of the links explain measured torque much better than those of the URDF, the settings
+// are for the corrected arm, which is written to corrected.urdf. The logs should show the motions that the arm makes at
+// work: each joint in both directions, slowly and fast, with stops. Exit codes: 0; 1 sign, units or frames of the
+// torque do not fit the arm; 2 unusable arguments; 3 unusable log or URDF.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -31,10 +31,10 @@ using namespace rme::examples;
 
 constexpr const char* kUsage = "usage: check_arm LOG.csv[.gz]... [options]\n";
 constexpr const char* kOwnUsage =
-    "  --span T0:T1        only what the logs hold of [T0, T1) [s]\n"
-    "  --mass M            of a payload of this mass: how sure its centre will be [kg] (1)\n"
-    "  --keep-links        the URDF's links, whatever others would explain\n"
-    "  --output FOLDER     settings.json, and what plot.py draws\n";
+    "  --span T0:T1        use only the logs' rows of [T0, T1) [s]\n"
+    "  --mass M            mass of the payload for which the error of the centre of mass is printed [kg] (1)\n"
+    "  --keep-links        do not correct the URDF's links\n"
+    "  --output FOLDER     write settings.json and the data that plot.py draws there\n";
 
 constexpr double kWindows[] = {0.2, 1, 5};  // [s]
 
@@ -122,7 +122,7 @@ void print(const std::vector<JointFindings>& joints) {
   std::printf("\n");
 }
 
-/// Whether sign, units and frames can be right: an empty hand's external torque holds no gravity.
+/// Prints whether sign, units and frames can be right: with an empty hand, the external torque contains no gravity.
 /// @return whether they can
 bool judge_gravity(const std::vector<JointFindings>& joints, bool measured) {
   constexpr double kFollows = 0.5, kCorrelated = 0.8;
@@ -134,7 +134,8 @@ bool judge_gravity(const std::vector<JointFindings>& joints, bool measured) {
     ++seen;
     if (std::abs(joint.gravity_slope) < kFollows || std::abs(joint.gravity_correlation) < kCorrelated) continue;
     good = false;
-    // Of a measured torque, tau_ext = g - tau: what follows g by 1 has no gravity in tau, by 2 the opposite sign.
+    // At rest, measured torque gives tau_ext = g - tau. So tau_ext is about g if tau lacks gravity, and about 2 g if
+    // tau has the opposite sign.
     const char* reason = "another unit (--gains), or another arm";
     if (measured && joint.gravity_slope > 1.5)
       reason = "tau seems to have the opposite sign: --torque-sign reaction";
@@ -159,10 +160,10 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
   rme::EstimatorConfig<double, Dofs> out = given.config;
   const auto usual = out.arm.value_or(rme::ArmPrior<double, Dofs>::of(out.rated_payload));
   rme::ArmPrior<double, Dofs> arm = usual;
-  // No link-side sensor and no friction model explains a residual beyond this share of what such an arm may show.
+  // A residual above this share of the default scale is too large for a link-side sensor or a friction model.
   constexpr double kRough = 0.1;
-  // The residual's scale is learned as the arm runs. Of the ratios between joints a log tells what holds for its poses,
-  // so that they count by this power: what suits the recordings of docs/real_arms.md.
+  // The residual's scale is learned as the arm runs. The ratios between joints in a log hold for its poses only. So
+  // they are raised to this power, which was chosen on the recordings of docs/real_arms.md.
   constexpr double kTrust = 0.4;
   double friction = 0, noise = 0, residual = 0, limit = 0, scale = 0;
   const auto ratio = [&](int j) {
@@ -173,7 +174,7 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
     const JointFindings& joint = joints[static_cast<std::size_t>(j)];
     const auto logs = static_cast<double>(joint.offset.size());
     arm.noise[j] = std::max(joint.noise, 1e-4);
-    // A handful of logs says little about how far offsets spread: the usual one counts as one more.
+    // A few logs say little about the spread of the offsets: the default counts as one more log.
     const double square = rms(joint.offset) * rms(joint.offset) * logs + usual.offset[j] * usual.offset[j];
     arm.offset[j] = std::sqrt(square / (logs + 1));
     residual += joint.residual;
@@ -186,7 +187,7 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
       noise += joint.noise + joint.residual;
     }
   }
-  // What friction a link-side sensor shows is the model's error.
+  // With a link-side sensor, what looks like friction is an error of the model.
   if (!out.sensing && residual > limit)
     out.sensing = rme::Sensing::RoughModel;
   else if (!out.sensing && friction > noise)
@@ -195,8 +196,8 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
   return out;
 }
 
-/// What the estimator believes of the logs, which it should take for an empty hand's.
-/// @return the largest mass that it is sure of [kg]
+/// Prints what the estimator finds in the logs; the hand is empty in all of them.
+/// @return the largest mass that it estimates while an empty hand has a probability below 10 % [kg]
 template <int Dofs>
 double print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& settings) {
   double heaviest = 0;
@@ -227,18 +228,18 @@ double print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& sett
   return heaviest;
 }
 
-/// What was found of the logs with one model of the arm.
+/// The results from the logs with one model of the arm.
 template <int Dofs>
 struct Findings {
   Checked<Dofs> checked;
   std::vector<JointFindings> joints;
   std::vector<Visibility> seen;
-  ArmSettings<Dofs> settings;  ///< those that follow
+  ArmSettings<Dofs> settings;  ///< the settings that result
   bool good = true;            ///< sign, units and frames can be right
 };
 
-/// Prints what the logs say, and returns it.
-/// @param mass  of the payload whose centre of mass is spoken of [kg]
+/// Analyses the logs and prints the results.
+/// @param mass  of the payload for which the error of the centre of mass is printed [kg]
 template <int Dofs>
 Findings<Dofs> check(const std::vector<std::string>& files, const std::optional<std::vector<double>>& span,
                      const ArmSettings<Dofs>& settings, double mass) {
@@ -271,8 +272,8 @@ Findings<Dofs> check(const std::vector<std::string>& files, const std::optional<
       std::printf("%10.1f   %32.3f   %12.3f  %10.3f   %30.0f\n", v.window, v.lightest(), v.mass, v.expected_mass,
                   1e3 * v.moment / mass);
   }
-  // The tracker takes the joints' errors as independent. An error that is common to all of them, such as that of a
-  // link's mass, looks more like a payload.
+  // The tracker assumes that the joints' errors are independent. An error that all joints have in common, such as that
+  // of a link's mass, looks more like a payload.
   double surprise = 1;
   for (const Visibility& v : out.seen)
     if (v.windows > 0 && v.expected_mass > 0) surprise = std::max(surprise, v.mass / v.expected_mass);
@@ -287,8 +288,9 @@ Findings<Dofs> check(const std::vector<std::string>& files, const std::optional<
   return out;
 }
 
-/// Whether other links and rotors explain the logs better; if so, `better` gets them.
-/// @return whether it did
+/// Tests whether other links and rotors explain the logs much better, and prints the result. If so, writes them to
+/// `better`.
+/// @return whether they do
 template <int Dofs>
 bool judge_links(const Findings<Dofs>& found, const ArmSettings<Dofs>& settings, ArmSettings<Dofs>& better) {
   constexpr double kWorthwhile = 2.0 / 3;  // of what is left
@@ -376,7 +378,7 @@ int run(Arguments& arguments, const ArmRequest& request) {
   if (good && measured && settings.chain && !keep_links) {
     ArmSettings<Dofs> better = settings;
     const bool links = judge_links<Dofs>(found, settings, better);
-    // With the URDF's links, what friction seems to owe to a load may be owed to a wrong load.
+    // With wrong links the load is wrong, and friction may only seem to grow with it: fit it again.
     if (links) found.joints = find_joints(read<Dofs>(files, span, better).blocks);
     bool friction = false;
     for (int j = 0; j < Dofs; ++j) {

@@ -9,13 +9,11 @@ namespace rme::examples {
 
 namespace {
 
-constexpr double kLeast = 1e-6;  // [N m]: below it a quantity is rounding
-constexpr double kGravity =
-    2;  // rms of the model's gravity torque about its mean, to tell whether another follows it [N m]
+constexpr double kLeast = 1e-6;  // smaller values are rounding errors [N m]
+constexpr double kGravity = 2;   // least rms of the model's gravity torque about its mean for the test of gravity [N m]
+constexpr double kOutlier = 5;   // robust standard deviations
 
-constexpr double kOutlier = 5;  // robust standard deviations
-
-/// Standard deviation by the median of the absolute values: what a few large ones cannot change.
+/// Standard deviation by the median of the absolute values, which a few large values do not change.
 double deviation(Eigen::VectorXd values) {
   if (values.size() == 0) return 0;
   values = values.cwiseAbs();
@@ -24,7 +22,7 @@ double deviation(Eigen::VectorXd values) {
   return *middle / 0.6745;
 }
 
-/// The residual's share that a block keeps of the one before.
+/// Correlation of the residuals of two neighbouring blocks.
 double kept(double duration, double correlation_time) {
   return correlation_time > 0 ? std::exp(-duration / correlation_time) : 0;
 }
@@ -49,12 +47,12 @@ void fit_friction(const std::vector<LogBlocks>& logs, Eigen::Index j, JointFindi
         b += row * log.tau(i, j);
       }
     }
-    A.diagonal().array() += 1e-9 * std::max(1.0, A.diagonal().maxCoeff());  // a log in which the joint never moves
-    const Eigen::VectorXd x = A.ldlt().solve(b);
+    A.diagonal().array() += 1e-9 * std::max(1.0, A.diagonal().maxCoeff());  // for a log in which the joint never moves
+    const Eigen::VectorXd x = solve(A, b);
     out.offset.assign(x.data(), x.data() + n);
     out.coulomb = with_coulomb ? x[n] : 0;
     out.viscous = with_viscous ? x[n + 1] : 0;
-    // No friction pushes: without the one that would, the other takes its share.
+    // Friction is never negative: fit again without the coefficient that is.
     if (with_viscous && out.viscous < 0) {
       with_viscous = false;
     } else if (with_coulomb && out.coulomb < 0) {
@@ -65,10 +63,10 @@ void fit_friction(const std::vector<LogBlocks>& logs, Eigen::Index j, JointFindi
   }
 }
 
-/// Whether friction grows with the load, judged on data that it was not fitted to.
+/// Increase of Coulomb friction per N m of load; 0 unless it explains data to which it was not fitted much better.
 double fit_load_friction(const std::vector<LogBlocks>& logs, Eigen::Index j) {
-  constexpr double kSpread = 1;        // standard deviation of the load, to tell [N m]
-  constexpr double kWorthwhile = 0.9;  // of what is left, out of sample
+  constexpr double kSpread = 1;        // least standard deviation of the load for a fit [N m]
+  constexpr double kWorthwhile = 0.9;  // largest share of the rms residual that may be left, out of sample
   const auto n = static_cast<Eigen::Index>(logs.size());
   const auto row_of = [&](Eigen::Index k, Eigen::Index i, bool with_load) {
     const LogBlocks& log = logs[static_cast<std::size_t>(k)];
@@ -79,7 +77,7 @@ double fit_load_friction(const std::vector<LogBlocks>& logs, Eigen::Index j) {
     if (with_load) row[n + 2] = -log.direction(i, j) * std::abs(log.gravity(i, j));
     return row;
   };
-  // Of each log one half, or both (half = 2), of the blocks in which the joint moves.
+  // Calls the function for the blocks in which the joint moves, of one half of each log (0, 1) or of both (2).
   const auto each = [&](int half, const auto& function) {
     for (Eigen::Index k = 0; k < n; ++k) {
       const LogBlocks& log = logs[static_cast<std::size_t>(k)];
@@ -98,7 +96,7 @@ double fit_load_friction(const std::vector<LogBlocks>& logs, Eigen::Index j) {
       b += row * tau;
     });
     A.diagonal().array() += 1e-9 * std::max(1.0, A.diagonal().maxCoeff());
-    return A.ldlt().solve(b);
+    return solve(A, b);
   };
   double loads = 0, squares = 0, blocks = 0;
   each(2, [&](Eigen::Index k, Eigen::Index i, double) {
@@ -113,7 +111,7 @@ double fit_load_friction(const std::vector<LogBlocks>& logs, Eigen::Index j) {
     for (const bool with_load : {false, true}) {
       const Eigen::VectorXd x = fit(half, with_load);
       if (with_load && !(x[n + 2] > 0)) return 0;
-      double mean = 0, count = 0, square = 0;  // the offset may be another by then
+      double mean = 0, count = 0, square = 0;  // the offset may have changed: the mean does not count
       each(1 - half, [&](Eigen::Index k, Eigen::Index i, double tau) {
         const double e = tau - row_of(k, i, with_load).dot(x);
         mean += e;
@@ -134,6 +132,14 @@ double least_squares_slope(const Eigen::VectorXd& y, const Eigen::VectorXd& x, d
 }
 
 }  // namespace
+
+Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
+  return A.ldlt().solve(b);
+}
+
+Eigen::Vector4d solve(const Eigen::Matrix4d& A, const Eigen::Vector4d& b) {
+  return A.ldlt().solve(b);
+}
 
 Eigen::MatrixXd unexplained(const LogBlocks& log, std::size_t number, const std::vector<JointFindings>& joints) {
   Eigen::MatrixXd out = log.tau;
@@ -171,7 +177,7 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
     for (std::size_t k = 0; k < logs.size(); ++k) {
       const LogBlocks& log = logs[k];
       Eigen::VectorXd e = unexplained(log, k, out).col(j);
-      const double bound = kOutlier * deviation(e);  // an emergency stop says little of an arm at work
+      const double bound = kOutlier * deviation(e);  // an emergency stop says little about an arm at work
       e = e.cwiseMax(-bound).cwiseMin(bound);
       for (Eigen::Index i = 0; i < log.blocks(); ++i) {
         duration += log.duration[i];
@@ -190,7 +196,8 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
       if (count[lag] > 0) covariance[lag] /= count[lag];
     const double block = blocks > 0 ? duration / blocks : 0.02;
     joint.stiction = at_rest > 0 ? std::sqrt(stiction / at_rest) : 0;
-    // After two blocks noise is gone, and what lasts is not. Neighbours may share a sample's noise.
+    // The covariance of blocks that are two or more apart is the residual's. Neighbouring blocks may share the noise of
+    // a sample.
     double shared = 0;
     for (std::size_t lag = 2; lag <= 6; ++lag) shared += covariance[lag] / 5;
     shared = std::max(0.0, std::min(covariance[0], shared));
@@ -217,11 +224,12 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
 
 Visibility visibility(const std::vector<LogBlocks>& logs, const std::vector<JointFindings>& joints, double window,
                       double rated) {
-  constexpr Eigen::Index kBefore = 5;  // blocks just before, of which the mean is known
+  constexpr Eigen::Index kBefore = 5;  // blocks just before the window, whose mean is known
   Visibility out;
   out.window = window;
   const auto prior = PayloadPrior<double>::of(rated);
-  // Of an object of a tenth of the rated load: what it says of the centre of mass is all that one pose does not show.
+  // For an object of a tenth of the rated payload. This prior matters only for the centre of mass along gravity, which
+  // one pose does not show.
   const double scale = 0.1 * rated;
   Eigen::Matrix4d P = Eigen::Matrix4d::Zero();
   Eigen::Vector4d lever;
@@ -238,7 +246,7 @@ Visibility visibility(const std::vector<LogBlocks>& logs, const std::vector<Join
     if (log.blocks() < n + kBefore) continue;
     const Eigen::MatrixXd e = unexplained(log, k, joints);
     std::vector<Eigen::LLT<Eigen::MatrixXd>> factors;
-    std::vector<Eigen::VectorXd> keep;  // of the mean just before
+    std::vector<Eigen::VectorXd> keep;  // predicted share of the mean just before, for each block
     for (const JointFindings& joint : joints) {
       const double rho = kept(block, joint.correlation_time), r = joint.residual * joint.residual,
                    s = joint.noise * joint.noise;
@@ -265,7 +273,7 @@ Visibility visibility(const std::vector<LogBlocks>& logs, const std::vector<Join
         A += H.transpose() * whitened;
         b += whitened.transpose() * y;
       }
-      const Eigen::Vector4d found = A.ldlt().solve(b);
+      const Eigen::Vector4d found = solve(A, b);
       squares += found[0] * found[0];
       moments += found.tail<3>().squaredNorm() / 3;
       expected += A.inverse()(0, 0);

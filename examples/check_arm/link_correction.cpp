@@ -1,6 +1,5 @@
 #include "check_arm/link_correction.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <sstream>
@@ -10,7 +9,7 @@ namespace rme::examples {
 namespace {
 
 /// Ridge regression of torque on link parameters and, for each joint, offset, friction and rotor inertia. Friction may
-/// grow with what the joint carries: what it took of that, the links would have to explain.
+/// grow with the load on the joint: otherwise the links would have to explain this part.
 struct Regression {
   const std::vector<LogBlocks>& logs;
   const std::vector<LinkRegressors>& regressors;
@@ -18,19 +17,19 @@ struct Regression {
   std::vector<Eigen::MatrixXd> left;  // of each log: what offset and friction do not explain [N m]
   Eigen::VectorXd ridge;              // 1 / variance of each link parameter
 
-  static constexpr double kFixed = 1e12;     // 1 / variance of what stays as it is
-  static constexpr double kRotor = 3;        // kg m^2: what a rotor's inertia may be, seen through its gear
-  static constexpr double kLoad = 0.3;       // what of a load friction may be
+  static constexpr double kFixed = 1e12;     // 1 / variance of a parameter that is not fitted
+  static constexpr double kRotor = 3;        // prior standard deviation of a rotor's inertia, gear included [kg m^2]
+  static constexpr double kLoad = 0.3;       // prior standard deviation of the friction per N m of load
   static constexpr Eigen::Index kOwn = 5;    // unknowns of a joint
-  static constexpr Eigen::Index kFolds = 5;  // stretches of each log, each tested with what the others say
+  static constexpr Eigen::Index kFolds = 5;  // parts of each log, each tested with the fit to the others
   static Eigen::Index fold_of(const LogBlocks& log, Eigen::Index i) { return kFolds * i / log.blocks(); }
   static double weight(const JointFindings& joint, double block) {
     const double variance = joint.noise * joint.noise + joint.residual * joint.residual;
-    // Blocks that share a residual say no more than one.
+    // Blocks with the same residual count as one.
     return std::min(1.0, block / std::max(block, 2 * joint.correlation_time)) / std::max(1e-8, variance);
   }
   bool usable(std::size_t k, Eigen::Index i, Eigen::Index j) const {
-    constexpr double kOutlier = 4;  // standard deviations: an emergency stop says little of a model
+    constexpr double kOutlier = 4;  // standard deviations: an emergency stop says little about a model
     const LogBlocks& log = logs[k];
     const JointFindings& joint = joints[static_cast<std::size_t>(j)];
     if (std::abs(left[k](i, j)) > kOutlier * std::hypot(joint.noise, joint.residual)) return false;
@@ -50,7 +49,8 @@ struct Regression {
     return out;
   }
 
-  /// @param without  the fold that is left out; kFolds: none
+  /// @param without     the fold that is left out; kFolds: none
+  /// @param with_links  whether links and rotors are fitted
   Eigen::VectorXd fit(Eigen::Index without, bool with_links) const {
     const Eigen::Index n = unknowns();
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
@@ -73,9 +73,9 @@ struct Regression {
         }
       }
     }
-    return A.selfadjointView<Eigen::Lower>().ldlt().solve(b);
+    return solve(A, b);
   }
-  /// Sum of squares of what is left in a fold [(N m)^2], which has offsets of its own.
+  /// Sum of squares of the unexplained torque in a fold [(N m)^2]. Each fold has its own offsets.
   double test(Eigen::Index fold, const Eigen::VectorXd& x) const {
     double sum = 0;
     for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(joints.size()); ++j) {
@@ -101,7 +101,7 @@ LinkCorrection correct_links(const std::vector<LogBlocks>& logs, const std::vect
                              const std::vector<JointFindings>& joints, const std::vector<RigidBody>& bodies) {
   Eigen::VectorXd ridge(kInertial * static_cast<Eigen::Index>(bodies.size()));
   for (std::size_t l = 0; l < bodies.size(); ++l) {
-    // A link's mass is known to a third, its centre to 5 cm, and its inertia accordingly.
+    // Prior: a link's mass is known to about a third, its centre of mass to 5 cm, and its inertia accordingly.
     const double mass = 0.3 * bodies[l].mass + 0.1, moment = 0.05 * bodies[l].mass + mass * bodies[l].com.norm() + 0.01;
     const double inertia = 0.3 * bodies[l].inertia.trace() + moment * 0.1 + 0.01;
     auto mine = ridge.segment<kInertial>(kInertial * static_cast<Eigen::Index>(l));
@@ -128,7 +128,7 @@ LinkCorrection correct_links(const std::vector<LogBlocks>& logs, const std::vect
 }
 
 RigidBody corrected(const RigidBody& body, const InertialVector<double>& addition) {
-  constexpr double kRadius = 0.01;  // that a link has at least [m]
+  constexpr double kRadius = 0.01;  // least gyration radius of a link [m]
   auto parameters = InertialParameters<double>::of_body(Payload<double>{body.mass, body.com}, body.inertia).vector();
   parameters += addition;
   parameters[0] = std::max(parameters[0], 0.1 * body.mass);

@@ -1,5 +1,5 @@
 #pragma once
-/// What an empty hand's torque says against the masses, centres and inertias of the links in a URDF.
+/// Corrects the masses, centres of mass and inertias of a URDF's links from the torque of an empty hand.
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
@@ -12,14 +12,14 @@
 
 namespace rme::examples {
 
-/// For each joint a row per block: the torque [N m] that an addition to each link's ten inertial parameters would make,
-/// link after link.
+/// For each joint a matrix with a row per block: the joint torque [N m] per unit of each link's ten inertial
+/// parameters, link after link.
 using LinkRegressors = std::vector<Eigen::MatrixXd>;
 
 /// Pose of a link of the arm, and the Jacobian of its origin.
 template <int Dofs>
 Kinematics<Dofs> link_kinematics(const ArmModel<Dofs>& model, const JointVector<double, Dofs>& q, int link) {
-  ArmModel<Dofs> upto = model;  // the links beyond do not move it: their joints are folded up in its origin
+  ArmModel<Dofs> upto = model;  // the joints beyond the link do not move it: they are placed at its origin, at zero
   upto.flange.setZero();
   upto.flange_rotation.setIdentity();
   JointVector<double, Dofs> angles = q;
@@ -33,7 +33,7 @@ Kinematics<Dofs> link_kinematics(const ArmModel<Dofs>& model, const JointVector<
   return out;
 }
 
-/// In the blocks of blocks_of(log, samples, arm).
+/// The regressors of all links, in the blocks of blocks_of(log, samples, arm).
 template <int Dofs>
 LinkRegressors link_regressors(const Log<Dofs>& log, const Samples<Dofs>& samples, const RecordedArm<Dofs>& arm) {
   std::vector<Eigen::Matrix<double, Dofs, kInertial>> rows;
@@ -65,22 +65,23 @@ LinkRegressors link_regressors(const Log<Dofs>& log, const Samples<Dofs>& sample
 struct LinkCorrection {
   /// Additions to the links' inertial parameters, link axes, about the links' origins.
   std::vector<InertialVector<double>> addition;
-  std::vector<double> rotor;  ///< inertia of each joint's rotor, seen through its gear, which no URDF has [kg m^2]
-  /// What is left of the torque's rms where nothing was fitted to it, with the corrections over without them: of fifths
-  /// of the logs, each with what the others say.
+  std::vector<double> rotor;  ///< inertia of each joint's rotor, seen through its gear; not in a URDF [kg m^2]
+  /// Root mean square of the unexplained torque with the corrections, divided by that without them. Out of sample: for
+  /// each fifth of the logs, with what was fitted to the other four.
   double left = 1;
 };
 
-/// Ridge regression towards the URDF, together with each joint's offset, friction, as it grows with the load, and rotor
-/// inertia.
-/// @param bodies  of the URDF's links, as the arm has them
+/// Ridge regression towards the URDF, together with each joint's offset, friction, friction that grows with the load,
+/// and rotor inertia.
+/// @param bodies  the URDF's links
 LinkCorrection correct_links(const std::vector<LogBlocks>& logs, const std::vector<LinkRegressors>& regressors,
                              const std::vector<JointFindings>& joints, const std::vector<RigidBody>& bodies);
 
-/// The body with an addition, made one that can exist.
+/// The body with an addition to its inertial parameters, changed if need be so that it is physically consistent.
 RigidBody corrected(const RigidBody& body, const InertialVector<double>& addition);
 
-/// A URDF of the arm between the same base and tip: all that moves is its links, with what was welded to them.
+/// A URDF of the arm between the same base and tip. It has one link for each moving joint, which includes all that was
+/// fixed to it.
 std::string to_urdf(const UrdfChain& chain);
 
 }  // namespace rme::examples

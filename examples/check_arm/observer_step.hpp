@@ -1,6 +1,6 @@
 #pragma once
-/// How fast an arm's observer is, from a step in its external torque: somebody hung something on the resting arm, or
-/// took it away.
+/// Bandwidth of an arm's observer, from a step in its external torque: a weight was hung on the resting arm or taken
+/// off.
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,8 @@
 
 namespace rme::examples {
 
-/// The bandwidth of a first-order filter that would have made the fastest step: ln 4 / (time from 20 to 80 %).
+/// The bandwidth of a first-order filter whose step response is as fast as the fastest step: ln 4 / (time from 20 to
+/// 80 %). A lower bound of the observer's, since the torque itself may change more slowly.
 /// @param t        [s]
 /// @param tau_ext  [N m], for each row
 /// @param dq       [rad/s], for each row, or empty: an arm that always rests

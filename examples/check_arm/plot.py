@@ -3,8 +3,8 @@
 
     python3 plot.py DIR [PICTURE]
 
-For each joint, on the left the torque of an empty hand over the joint's velocity, before friction and offset are taken
-off and after; on the right what is then left over time. Below, the lightest payload that shows through it.
+For each joint, the torque of an empty hand before and after friction and offset are subtracted: on the left over the
+joint's velocity, on the right over time. At the bottom, the lightest payload that shows within each time.
 """
 import pathlib
 import sys

@@ -108,9 +108,10 @@ Status Host::solve(const CpicInput<double, 7>& input, const Vector& q, const Vec
     limits = limits_.append(q, dq, rows_, error);
     if (limits != Status::Ok && limits != Status::Infeasible) return limits;
     if (config_.wall) {
-      const Status wall = add_barrier(half_space(flange_, config_.wall->normal, config_.wall->offset), dq, wall_poles_,
-                                      rows_, config_.wall_weight, error);
-      if (wall != Status::Ok) return wall;
+      const Status wall = add_barrier(half_space_barrier(flange_, config_.wall->normal, config_.wall->offset), dq,
+                                      wall_poles_, rows_, config_.wall_weight, error);
+      if (wall != Status::Ok && wall != Status::Infeasible) return wall;
+      if (wall == Status::Infeasible) limits = wall;  // the arm cannot move along the wall's normal: there is no row
     }
   }
   const Status status = cpic_.update(input, rows_);

@@ -1,9 +1,9 @@
 // inertia: how much motion of the wrist does an estimate of a payload's inertia need?
 //
-// A Panda under an impedance law, with the estimator's compensation, holds a long box of 1.5 kg and turns it about all
-// three axes, to and fro; its torque sensors have typical noise and offsets. Prints, for turns of several sizes and
-// speeds, the error of the inertia about the centre of mass after some seconds, relative to it (Frobenius norm), and
-// the error that the estimator expects; medians over the runs.
+// A Panda under an impedance law, with the estimator's compensation, holds a long box of 1.5 kg and turns it to and fro
+// about all three axes. Its torque sensors have typical noise and offsets. Prints, for turns of several sizes and
+// speeds, the relative error of the inertia about the centre of mass (Frobenius norm) after some seconds, and the
+// standard deviation that the estimator states for it; medians over the runs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,15 +24,15 @@ using namespace rme::examples;
 using Eigen::Matrix3d, Eigen::Vector3d;
 
 constexpr double kPeriod = 1e-3, kAttach = 1, kTurn = 2;  // [s]
-constexpr std::array<double, 4> kJudged = {1, 2, 5, 10};  // after the turning began [s]
+constexpr std::array<double, 4> kJudged = {1, 2, 5, 10};  // when the estimate is read, after the turning began [s]
 constexpr double kPi = 3.14159265358979323846;
 
 constexpr const char* kUsage = R"(usage: rme_inertia [options]
 
-Prints how well a payload's inertia is known after turning the wrist, by how far and how fast it is turned.
+Prints the error of a payload's estimated inertia after the wrist has been turned, for several angles and speeds.
 
-  --runs N     arms with other noise and offsets, for each row (default 10)
-  --friction   the torque shows joint friction
+  --runs N     arms with different noise and offsets, for each row (default 10)
+  --friction   the torque contains joint friction
   --seed N     of everything random (default 1)
   --help       this text
 
@@ -45,11 +45,11 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
-/// To and fro about all three axes.
+/// A motion to and fro about all three axes.
 struct Turning {
   double amplitude, frequency;  // [rad], [Hz]
 
-  /// The rotation vector and its rate after so many seconds, from rest.
+  /// The rotation vector [rad] and its rate [rad/s] after t seconds; the motion starts from rest.
   Vector3d vector(double t) const { return swing(t, false); }
   Vector3d rate(double t) const { return swing(t, true); }
 
@@ -65,8 +65,8 @@ struct Turning {
 };
 
 struct Result {
-  std::array<double, kJudged.size()> error, deviation;  // share of the inertia
-  double speed = 0;                                     // largest of the flange [rad/s]
+  std::array<double, kJudged.size()> error, deviation;  // relative to the true inertia
+  double speed = 0;                                     // largest angular speed of the flange [rad/s]
 };
 
 Result run_arm(const Options& options, const Turning& turning, std::size_t run) {
@@ -104,10 +104,10 @@ Result run_arm(const Options& options, const Turning& turning, std::size_t run) 
     const auto& belief = estimator.state().inertial;
     const auto body = rme::InertialParameters<double>::from_vector(belief.mean);
     result.error[judged] = (body.inertia_about_com() - payload.inertia).norm() / payload.inertia.norm();
-    // Of I about the origin: what it lacks shows in I about the centre one to one, since m and m r are known far
-    // better.
+    // This is the standard deviation of I about the origin. That of I about the centre of mass is about the same, since
+    // m and m r are known far better.
     Eigen::Matrix<double, 6, 1> variance = belief.covariance.diagonal().tail<6>();
-    for (const int off : {1, 2, 4}) variance[off] *= 2;  // each stands twice in the matrix
+    for (const int off : {1, 2, 4}) variance[off] *= 2;  // the elements off the diagonal occur twice in the matrix
     result.deviation[judged] = std::sqrt(variance.sum()) / payload.inertia.norm();
     ++judged;
   }

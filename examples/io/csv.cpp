@@ -27,7 +27,7 @@ std::string read_file(const std::string& path) {
   while ((size = gzread(file.get(), block.data(), static_cast<unsigned>(block.size()))) > 0) {
     text.append(block.data(), static_cast<std::size_t>(size));
   }
-  // A stream that was cut short ends like a complete one; only the error code tells.
+  // A stream that was cut short ends like a complete one; only the error code shows it.
   int error = Z_OK;
   gzerror(file.get(), &error);
   if (error == Z_ERRNO) throw LogError(path + ": cannot be read: " + std::generic_category().message(errno));
@@ -39,7 +39,7 @@ std::string read_file(const std::string& path) {
 CsvReader::CsvReader(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (rest_.substr(0, byte_order_mark.size()) == byte_order_mark) rest_.remove_prefix(byte_order_mark.size());
-  rest_ = rest_.substr(0, rest_.find_last_not_of(" \t\r\n") + 1);  // so that blank lines at the end are no rows
+  rest_ = rest_.substr(0, rest_.find_last_not_of(" \t\r\n") + 1);  // blank lines at the end are not rows
   if (rest_.empty()) throw LogError(name_ + ": is empty");
   split_line();
   header_ = cells_;

@@ -1,5 +1,5 @@
 #pragma once
-/// Comma-separated numbers with a header line, plain or gzip-compressed, read so that nothing wrong passes silently.
+/// Comma-separated numbers with a header line, plain or gzip-compressed. Every error in a file is reported.
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
@@ -15,15 +15,15 @@ class LogError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// All of a file; gzip is recognised by its content, whatever the file is called.
+/// The content of a file; gzip is recognised by the content, whatever the file is called.
 /// @throws LogError if the file cannot be opened or read, or its gzip data are damaged or cut short
 std::string read_file(const std::string& path);
 
-/// Walks through a CSV text row by row. Lines may end in LF or CRLF, cells may have spaces around them, a UTF-8 byte
+/// Reads a CSV text row by row. Lines may end in LF or CRLF, cells may have spaces around them, a UTF-8 byte
 /// order mark is skipped. Quoted cells are not supported: a comma always ends a cell.
 class CsvReader {
  public:
-  /// @param text  must outlive the reader
+  /// @param text  the CSV text; it must outlive the reader
   /// @param name  of the file, for messages
   /// @throws LogError if there is no header line
   CsvReader(std::string_view text, std::string name);
@@ -39,7 +39,7 @@ class CsvReader {
   /// @return false at the end of the text
   /// @throws LogError if the row has fewer or more cells than the header
   bool next();
-  /// The number in this cell of the current row. Cells that nobody asks for may hold anything.
+  /// The number in this cell of the current row. Cells that are not read may contain anything.
   /// @throws LogError if it is not a finite number
   double number(std::size_t column) const;
   /// Throws LogError about this cell of the current row.

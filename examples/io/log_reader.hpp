@@ -1,5 +1,5 @@
 #pragma once
-/// Recordings of an arm: what a host wrote down while its controller ran.
+/// Recordings of an arm, made by a host while its controller ran.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace rme::examples {
 
-/// A recording, one entry per row, in the units and signs of docs/conventions.md. A quantity that the file does not
-/// hold is an empty vector.
+/// A recording, one entry per row, in the units and signs of docs/conventions.md. A quantity that is not in the file is
+/// an empty vector.
 template <int Dofs = 7>
 struct Log {
-  std::string name;                                ///< file it came from, for messages
+  std::string name;                                ///< name of the file, for messages
   std::vector<double> t;                           ///< [s], strictly increasing
   std::vector<JointVector<double, Dofs>> q;        ///< [rad]
   std::vector<JointVector<double, Dofs>> dq;       ///< [rad/s], or empty
@@ -38,7 +38,7 @@ std::vector<std::size_t> columns(const CsvReader& csv, const std::array<std::str
   return found;
 }
 
-/// The same, or nothing if none is there: half a vector is a mistake, not an absence.
+/// The same, or nothing if none of them is there. If only some are there, the others are reported as missing.
 template <std::size_t Size>
 std::vector<std::size_t> optional_columns(const CsvReader& csv, const std::array<std::string, Size>& names) {
   const bool any =
@@ -46,7 +46,7 @@ std::vector<std::size_t> optional_columns(const CsvReader& csv, const std::array
   return any ? columns(csv, names) : std::vector<std::size_t>();
 }
 
-/// name1, name2, ... as the columns of a joint vector are called.
+/// Names of the columns of a joint vector: name1, name2, ...
 template <int Dofs>
 std::array<std::string, Dofs> joint_columns(const std::string& name) {
   std::array<std::string, Dofs> names;
@@ -134,7 +134,7 @@ Log<Dofs> cropped(const Log<Dofs>& log, double begin, double end) {
   return out;
 }
 
-/// Refuses a log from which no external torque can be had: neither tau_ext, nor tau and dq for a momentum observer.
+/// Refuses a log that has neither tau_ext, nor tau and dq for a momentum observer.
 /// @throws LogError naming what is missing
 template <int Dofs>
 void require_external_torque(const Log<Dofs>& log) {
@@ -150,8 +150,8 @@ void require_external_torque(const Log<Dofs>& log) {
   }
 }
 
-/// Refuses a log that says itself that the hand holds something.
-/// @throws LogError naming the first instant at which it does
+/// Refuses a log whose true payload is not zero throughout.
+/// @throws LogError naming the first instant at which the hand holds something
 template <int Dofs>
 void require_empty_hand(const Log<Dofs>& log) {
   for (std::size_t i = 0; i < log.truth.size(); ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Strict numbers, for logs and command lines alike.
+/// Strict parsing of numbers, for logs and command lines.
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -14,7 +14,7 @@ inline std::string_view trimmed(std::string_view text) noexcept {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// The finite number that all of `text` spells (spaces around it allowed), in any locale; nothing if it does not.
+/// The finite number that `text` consists of, with spaces around it allowed, in any locale; nothing otherwise.
 inline std::optional<double> parse_number(std::string_view text) noexcept {
   text = trimmed(text);
   // from_chars knows no '+'; it would take the sign of "+-1", which is not a number.

@@ -1,14 +1,14 @@
 #pragma once
-/// What the mains of the example programs have in common.
+/// The part of main() that the example programs share.
 #include <string_view>
 
 #include "io/arguments.hpp"
 
 namespace rme::examples {
 
-/// Runs a program: answers --help with its usage, and prints what it throws, with the usage if the command line is
-/// wrong.
-/// @return its exit code: 0, or 1 if what it found is not what it should have found; 2 for an ArgumentError; 3 for any
+/// Runs a program. For --help it prints the usage. If `run` throws, it prints the message, and for an ArgumentError the
+/// usage as well.
+/// @return exit code: what `run` returns (0, or 1 if a result misses its target); 2 for an ArgumentError; 3 for any
 ///         other exception, such as a file that cannot be read
 int run_program(const char* name, std::string_view usage, int argc, char** argv, int (*run)(Arguments&));
 

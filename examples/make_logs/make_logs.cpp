@@ -1,7 +1,9 @@
-// make_logs: recordings of a simulated Panda, with the truth in every row: logs that nothing was tuned on.
+// make_logs: writes recordings of a simulated Panda, with the truth in every row.
 //
-// Every recording is drawn at random from its seed: pose, payload, pushes, path, sensor faults. A draw that brings the
-// arm near a joint limit or a singular pose is thrown away and drawn again. What is written reads as any log does.
+// Pose, payload, pushes, path and sensor faults of every recording are drawn at random from its seed. A draw that
+// brings the arm near a joint limit or a singular pose, or demands too much speed or torque of a joint, is replaced by
+// another one. The files have the format of all logs (docs/conventions.md). A new seed gives data that nothing was
+// tuned on.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -23,30 +25,31 @@ constexpr int kTries = 200;  // draws for one recording
 
 constexpr const char* kUsage = R"(usage: rme_make_logs --output DIR [options]
 
-Writes recordings of a simulated Panda, NAME.csv.gz with the truth in every row, and manifest.json, which says what
-happens in each of them.
+Writes recordings of a simulated Panda: NAME.csv.gz with the truth in every row, and manifest.json, which describes the
+events of each recording.
 
-  --output DIR      the folder; it is made if need be
-  --kind NAME       link_side: torque is sensed behind the gears (default); joint_friction: before them;
-                    model_error: links 1 % and 1 mm off what the model says
-  --scenario A,B    which, of (default all)
-                      A  a payload is attached at 1 s, near the ready pose; nobody compensates it
-                      B  the same anywhere
-                      D  A is attached, B is added, B goes, A goes; pushes of 5 to 15 N in between
-                      E  attached at 1 s at rest, carried along and turned from 3 s on, compensated by who knows it
+  --output DIR      the folder; it is created if it does not exist
+  --kind NAME       link_side: torque is sensed behind the gears (default); joint_friction: at the motors, so that it
+                    contains joint friction; model_error: link_side, and the model's link masses are off by 1 % and
+                    their centres of mass by 1 mm (standard deviations)
+  --scenario A,B    list of scenarios (default all)
+                      A  a payload is attached at 1 s, near the ready pose, without compensation
+                      B  the same in any pose
+                      D  payload A is attached, B is added, B is removed, A is removed; pushes of 5 to 15 N in between
+                      E  attached at 1 s at rest, carried and turned from 3 s on, with the true payload compensated
                       F  a cup is attached at 1 s and filled from 3 s on for 4 to 15 s
-                      M  always moving; attached at 5 s, removed at 12 s, compensated by who knows it
+                      M  always moving; attached at 5 s, removed at 12 s, with the true payload compensated
   --runs N          recordings of each scenario (default 4)
-  --seed N          of everything (default 1)
-  --physics NAME    synthetic (default), or mujoco where this was built with it
+  --seed N          of everything random (default 1)
+  --physics NAME    synthetic (default), or mujoco if this was built with it
   --dq-noise W      white noise on the reported joint velocity, standard deviation [rad/s]; real arms: 0.002 to 0.004
-  --noisy-observer  tau_ext is observed from that velocity too
-  --torque-step T   tau_ext comes in steps of T [N m]
-  --late N          tau_ext comes N ticks late, at most 1000
+  --noisy-observer  the observer of tau_ext gets that noisy velocity too
+  --torque-step T   tau_ext is quantised in steps of T [N m]
+  --late N          tau_ext is delayed by N ticks, at most 1000
   --lost P          share of the rows that are missing, below 1
-  --mass-error S    links off what the model says by this share of their mass, standard deviation
-  --com-error D     and by this much in each coordinate of their centre of mass [m]
-  --plain           NAME.csv, not compressed
+  --mass-error S    error of the model's link masses, relative, standard deviation
+  --com-error D     error of each coordinate of the model's link centres of mass, standard deviation [m]
+  --plain           write NAME.csv, not compressed
   --help            this text
 
 Exit codes: 0 done; 2 unusable arguments; 3 a file cannot be written.
@@ -71,7 +74,7 @@ std::string parse_scenarios(const std::string& list) {
   return out;
 }
 
-// From 0 to below `bound`.
+// The option's value, which must be at least 0 and below `bound`.
 double parse_size(Arguments& arguments, const std::string& option, double bound, double otherwise) {
   const double size = arguments.number(option).value_or(otherwise);
   if (!(size >= 0 && size < bound)) throw ArgumentError(text("%s: must be from 0 to below %g", option.c_str(), bound));
@@ -131,7 +134,7 @@ SyntheticArmConfig<7> draw_arm(const Options& options, std::uint64_t seed) {
   return config;
 }
 
-/// Draws until the arm can do it, and writes what it did.
+/// Draws until the arm can carry out the plan, and writes the recording.
 ManifestEntry make(const Options& options, char scenario, std::size_t run) {
   std::seed_seq seeds{static_cast<std::uint32_t>(options.seed), static_cast<std::uint32_t>(scenario),
                       static_cast<std::uint32_t>(run)};

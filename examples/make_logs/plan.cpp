@@ -79,7 +79,7 @@ void attach_at_rest(Plan& plan, Dice& dice) {
   plan.events = {{1, true, 'A', draw_payload(dice, 0.2, 2)}};
 }
 
-// A comes, B comes, B goes, A goes; a push in between, while a hand is there anyway.
+// A is attached, B is added, B is removed, A is removed; a push after each of these, and sometimes one before.
 void hand_over(Plan& plan, Dice& dice) {
   plan.offset = dice.normals(0.006);
   const RigidBody a = draw_payload(dice, 0.2, 1.5), b = draw_payload(dice, 0.2, 0.5);
@@ -106,7 +106,7 @@ void carry(Plan& plan, Dice& dice) {
   plan.motion = draw_motion(dice, 3, dice.uniform(0.9, 1.2), 0.1);
 }
 
-// 30 % of the final mass is a cup; the rest runs in.
+// The cup has 30 % of the final mass; the rest is poured in.
 void fill(Plan& plan, Dice& dice) {
   plan.offset = dice.normals(0.006);
   const RigidBody full = draw_payload(dice, 0.5, 2), cup = 0.3 * full;

@@ -1,5 +1,5 @@
 #pragma once
-/// What happens in a recording, drawn at random: where the arm stands, what it is handed, how it moves, who pushes it.
+/// The events of a recording, drawn at random: the arm's pose, its payloads, its motion and the pushes.
 #include <cstdint>
 #include <optional>
 #include <random>
@@ -10,13 +10,13 @@
 
 namespace rme::examples {
 
-/// A payload comes or goes.
+/// A payload is attached, becomes heavier, or is removed.
 struct PayloadEvent {
   double t;  // [s]
   bool attach;
   char slot;        // which payload, "A" or "B"
-  RigidBody body;   // what comes, or what slot holds from now on in all; flange axes
-  double ramp = 0;  // time in which it weighs in [s]
+  RigidBody body;   // all that the slot holds after the event, flange axes
+  double ramp = 0;  // time over which the weight comes on [s]
 };
 
 /// A person pushes at the flange origin.
@@ -25,21 +25,21 @@ struct PushEvent {
   Eigen::Vector3d force;  // world axes [N]
 };
 
-/// A path of the flange about where it starts: sines in each direction, and turns about two axes of the flange.
+/// A path of the flange around its start: sines in each direction, and turns about two axes of the flange.
 struct Motion {
   double start = 0, rise = 1.5;  // from rest into the full motion [s]
   Eigen::Vector3d amplitude = Eigen::Vector3d::Zero(), rate = amplitude, phase = amplitude;  // [m], [rad/s], [rad]
   Eigen::Matrix<double, 3, 2> axes = Eigen::Matrix<double, 3, 2>::Zero();                    // flange axes
   Eigen::Vector2d turn = Eigen::Vector2d::Zero(), turn_rate = turn, turn_phase = turn;       // [rad], [rad/s], [rad]
 
-  /// Where the flange is to be at `t`, and how it moves there.
+  /// Target pose and velocity of the flange at `t`.
   PoseTarget at(double t, const PoseTarget& home) const;
 
  private:
   PoseTarget pose(double t, const PoseTarget& home) const;
 };
 
-/// One recording to be made.
+/// The plan of one recording.
 struct Plan {
   char scenario = 'A';
   double duration = 3;  // [s]
@@ -49,11 +49,11 @@ struct Plan {
   std::vector<PayloadEvent> events;
   std::vector<PushEvent> pushes;
   std::optional<Motion> motion;
-  bool feed_forward = false;  // the controller carries the true payload, as if it knew it, soon after the attach
-  double singular = 0.1;      // smallest singular value of J that the arm may come to
+  bool feed_forward = false;  // the controller compensates the true payload from soon after the attach on
+  double singular = 0.1;      // least singular value of J that is allowed
 };
 
-/// The scenarios there are: "ABDEFM".
+/// All scenarios: "ABDEFM".
 extern const std::string kScenarios;
 
 /// Draws a recording of a scenario.

@@ -18,11 +18,11 @@ namespace {
 
 using Vector = JointVector<double, 7>;
 
-constexpr double kMargin = 0.05;          // that a joint keeps from its limits [rad]
-constexpr double kFeedForwardFrom = 0.5;  // after the attach [s]
-constexpr double kFeedForwardRise = 1;    // [s]
+constexpr double kMargin = 0.05;          // least distance of a joint from its limits [rad]
+constexpr double kFeedForwardFrom = 0.5;  // when the compensation begins, after the attach [s]
+constexpr double kFeedForwardRise = 1;    // until it is complete [s]
 
-// What hangs on the flange, and since when.
+// A payload on the flange.
 struct Carried {
   char slot;
   int handle;
@@ -30,7 +30,7 @@ struct Carried {
   double since;  // [s]
 };
 
-/// The host: it moves the target, hands payloads over, pushes, and writes down what the arm reports.
+/// The host: it moves the target, attaches and removes payloads, pushes, and records what the arm reports.
 class Recorder {
  public:
   Recorder(const Plan& plan, const SyntheticArmConfig<7>& config)
@@ -78,7 +78,7 @@ class Recorder {
       carried_.erase(held);
     } else if (held == carried_.end()) {
       carried_.push_back({event.slot, arm_.attach(event.body, event.ramp), event.body, event.t});
-    } else {  // more of what is there already
+    } else {  // more of the same payload
       const double more = (event.body.mass - held->body.mass) / event.body.mass;
       (void)arm_.attach(more * event.body, event.ramp);
     }
@@ -100,8 +100,7 @@ class Recorder {
     if ((q - model.q_min).minCoeff() < kMargin || (model.q_max - q).minCoeff() < kMargin) return "joint limit";
     if ((dq.cwiseAbs() - model.dq_max).maxCoeff() > 0) return "joint speed";
     if ((tau.cwiseAbs() - model.tau_max).maxCoeff() > 0) return "joint torque";
-    const double least = plan_.singular * plan_.singular;
-    if (k % 20 == 0 && smallest_mobility(arm_.kinematics().jacobian) < least) return "singular pose";
+    if (k % 20 == 0 && !is_mobile(arm_.kinematics().jacobian, plan_.singular)) return "singular pose";
     return {};
   }
 
@@ -114,7 +113,7 @@ class Recorder {
   Eigen::Vector3d push_ = Eigen::Vector3d::Zero();
 };
 
-// Numbers with a fixed count of decimals, quickly.
+// Formats numbers with a fixed count of decimals, faster than a stream.
 class Line {
  public:
   void number(double value, int decimals) {
@@ -167,7 +166,7 @@ std::string list(const Values& values) {
   return out + "]";
 }
 
-/// An object of JSON, field by field.
+/// Builds a JSON object, field by field.
 class JsonObject {
  public:
   JsonObject& raw(const char* name, const std::string& value) {

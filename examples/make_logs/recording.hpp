@@ -1,5 +1,5 @@
 #pragma once
-/// A plan carried out by a simulated Panda, and the files that it becomes.
+/// Simulates a plan with a Panda, and writes the recording to files.
 #include <functional>
 #include <string>
 #include <synthetic_arm/synthetic_arm.hpp>
@@ -9,29 +9,29 @@
 
 namespace rme::examples {
 
-/// What is written down at each tick: the state, the torque commanded for the next period, the observer's output from
-/// what was measured up to now, and the truth.
+/// One row of a log: the state, the torque commanded for the next period, the observer's output from the measurements
+/// so far, and the truth.
 struct RecordedRow {
   double t;                                      // [s]
-  JointVector<double, 7> q, dq, tau_c, tau_ext;  // [rad], [rad/s], [N m]
-  Eigen::Vector4d truth;                         // m, r
-  Eigen::Vector3d push;                          // [N]
+  JointVector<double, 7> q, dq, tau_c, tau_ext;  // [rad], [rad/s], [N m], [N m]
+  Eigen::Vector4d truth;                         // m, r_x, r_y, r_z, flange axes [kg, m, m, m]
+  Eigen::Vector3d push;                          // force, world axes [N]
 };
 
 struct Recording {
   std::vector<RecordedRow> rows;
-  std::string refusal;  // why the arm should not have been asked to do this; empty if all is well
+  std::string refusal;  // why the arm cannot carry out the plan; empty if it can
 };
 
-/// Carries out a plan; rows that get lost are missing. Ends early where the arm comes near a joint limit, a singular
-/// pose, or asks too much of a joint.
+/// Simulates a plan; lost rows are missing. Ends early, with a refusal, if the arm comes near a joint limit or a
+/// singular pose, or a joint's speed or torque limit is exceeded.
 Recording record(const Plan& plan, const SyntheticArmConfig<7>& config);
 
 /// Writes a log, gzip-compressed if the path ends in ".gz".
 /// @throws std::runtime_error if that cannot be done
 void write_log(const std::string& path, const Recording& recording);
 
-/// What a manifest says of one recording.
+/// The description of one recording in a manifest.
 struct ManifestEntry {
   std::string name, file;
   std::uint64_t seed;
@@ -40,8 +40,8 @@ struct ManifestEntry {
 };
 
 /// The manifest of a folder of recordings, as JSON.
-/// @param kind     what is wrong with the arm
-/// @param physics  whose
+/// @param kind     value of --kind
+/// @param physics  value of --physics
 std::string manifest(const std::string& kind, const std::string& physics, const std::vector<ManifestEntry>& entries);
 
 }  // namespace rme::examples

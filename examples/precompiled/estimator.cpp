@@ -9,6 +9,7 @@ template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian
 template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&, const Matrix3<double>&,
                                                                   const Vector3<double>&, const FlangeMotion<double>&,
                                                                   double) noexcept;
+template class MomentumObserver<double, 7>;
 template class Estimator<double, 7>;
 
 }  // namespace rme

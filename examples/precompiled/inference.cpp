@@ -10,9 +10,10 @@ template struct SensorModel<double, 7>;
 template class PayloadStatistics<double, 7>;
 template Status exact_posterior(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
                                 ExactPosterior<double>&) noexcept;
-template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
-                      const VariationalInferenceConfig&, const Vector4<double>*) noexcept;
-template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
-                      const MeanFieldConfig&) noexcept;
+template Status infer_payload(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
+                              InferenceResult<double>&, const VariationalInferenceConfig&,
+                              const Vector4<double>*) noexcept;
+template Status infer_payload(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
+                              InferenceResult<double>&, const MeanFieldConfig&) noexcept;
 
 }  // namespace rme

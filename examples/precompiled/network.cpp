@@ -2,8 +2,8 @@
 
 namespace rme {
 
-template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
-                      const StochasticViConfig&, std::mt19937_64&) noexcept;
+template Status infer_payload(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
+                              InferenceResult<double>&, const StochasticViConfig&, std::mt19937_64&) noexcept;
 template class MismatchNetwork<double>;
 template class MismatchNetwork<float>;
 template class NetworkPrior<double>;

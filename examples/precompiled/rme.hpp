@@ -16,6 +16,7 @@
 #include <rme/network/network_prior.hpp>
 #include <rme/published/published_pipeline.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
+#include <rme/sensing/momentum_observer.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
 #include <rme/sensing/sample_window.hpp>
 
@@ -38,17 +39,19 @@ extern template struct SensorModel<double, 7>;
 extern template class PayloadStatistics<double, 7>;
 extern template Status exact_posterior(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
                                        ExactPosterior<double>&) noexcept;
-extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
-                             const VariationalInferenceConfig&, const Vector4<double>*) noexcept;
-extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
-                             const MeanFieldConfig&) noexcept;
-extern template Status infer(const PayloadLikelihood<double>&, const PayloadGaussian<double>&, InferenceResult<double>&,
-                             const StochasticViConfig&, std::mt19937_64&) noexcept;
+extern template Status infer_payload(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
+                                     InferenceResult<double>&, const VariationalInferenceConfig&,
+                                     const Vector4<double>*) noexcept;
+extern template Status infer_payload(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
+                                     InferenceResult<double>&, const MeanFieldConfig&) noexcept;
+extern template Status infer_payload(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
+                                     InferenceResult<double>&, const StochasticViConfig&, std::mt19937_64&) noexcept;
 extern template class MismatchNetwork<double>;
 extern template class MismatchNetwork<float>;
 extern template class NetworkPrior<double>;
 extern template PayloadGaussian<double> NetworkPrior<double>::operator()(const SampleWindow<double, 7>&,
                                                                          std::size_t) const noexcept;
+extern template class MomentumObserver<double, 7>;
 extern template class Estimator<double, 7>;
 extern template class PublishedPipeline<double, 7>;
 extern template class PassiveController<double>;

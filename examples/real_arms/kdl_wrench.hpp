@@ -1,5 +1,5 @@
 #pragma once
-/// What Orocos KDL's ChainExternalWrenchEstimator makes of an arm's torque: the usual way to a force at the tip.
+/// Payload mass from the wrench at the tip that Orocos KDL's ChainExternalWrenchEstimator finds from an arm's torque.
 #include <cstddef>
 #include <kdl/chain.hpp>
 #include <kdl/chainexternalwrenchestimator.hpp>
@@ -13,8 +13,8 @@ inline KDL::Vector kdl_vector(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-/// The arm of a table as a chain of KDL.
-/// @param rotors  of each joint, its rotor's inertia, seen through its gear [kg m^2]
+/// An arm model as a chain of KDL.
+/// @param rotors  inertia of each joint's rotor, seen through its gear [kg m^2]
 template <int Dofs>
 KDL::Chain kdl_chain(const ArmModel<Dofs>& model,
                      const JointVector<double, Dofs>& rotors = JointVector<double, Dofs>::Zero()) {
@@ -26,7 +26,7 @@ KDL::Chain kdl_chain(const ArmModel<Dofs>& model,
   for (int j = 0; j < Dofs; ++j) {
     const Link& link = model.links[static_cast<std::size_t>(j)];
     const KDL::Frame at = frame(link.rotation, link.offset);
-    const bool last = j == Dofs - 1;  // KDL's frames are at the tip: that of the last link is the end effector
+    const bool last = j == Dofs - 1;  // KDL's frame is at a segment's tip: that of the last one is the end effector
     const Eigen::Matrix3d R = last ? model.flange_rotation : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
     const Eigen::Vector3d tip = last ? model.flange : Eigen::Vector3d(Eigen::Vector3d::Zero());
     const RigidBody body = moved(link.body, -(R.transpose() * tip), R.transpose());
@@ -39,9 +39,9 @@ KDL::Chain kdl_chain(const ArmModel<Dofs>& model,
   return out;
 }
 
-/// A mass from KDL's wrench at the tip: its force along gravity, over gravity. Its estimator counts in one period,
-/// whatever the steps of a recording, and knows neither friction nor that a payload has inertia. The centre of mass
-/// would follow from the moment over several poses; that is left to whoever wants it.
+/// A mass from KDL's wrench at the tip: its force along gravity, divided by gravity. KDL's estimator assumes a constant
+/// period, whatever the time steps of a recording, and models neither friction nor the payload's inertia. The centre of
+/// mass would follow from the moment over several poses, which is not done here.
 template <int Dofs>
 class KdlTipMass {
  public:
@@ -49,7 +49,7 @@ class KdlTipMass {
 
   /// @param period    of the samples [s]
   /// @param gain      of KDL's observer [1/s]
-  /// @param singular  singular values of J^T below it are left out when it is inverted; KDL's default is 1e-5
+  /// @param singular  smaller singular values of J^T are left out when J^T is inverted; KDL's default is 1e-5
   KdlTipMass(const ArmModel<Dofs>& model, const Vector& rotors, double period, double gain, double singular)
       : model_(model),
         chain_(kdl_chain(model, rotors)),
@@ -57,8 +57,10 @@ class KdlTipMass {
   KdlTipMass(const KdlTipMass&) = delete;  // the estimator refers to the chain
   KdlTipMass& operator=(const KdlTipMass&) = delete;
 
+  /// The mass after another sample.
   /// @param tau  joint torque, gravity included [N m]
   /// @return [kg]
+  /// @throws std::runtime_error if KDL finds no wrench
   double update(const Vector& q, const Vector& dq, const Vector& tau) {
     const KDL::JntArray position = array(q), velocity = array(dq);
     if (!started_) estimator_.setInitialMomentum(position, velocity);

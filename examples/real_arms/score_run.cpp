@@ -1,19 +1,19 @@
-// score_run: estimates on a run with a known load, beside those of least squares.
+// score_run: compares estimates on a run with a known payload with those of least squares.
 //
-// Plays a log in which the hand holds a known mass from beginning to end, directly after the log of an empty hand that
-// --empty names, if any. Prints a row of a Markdown table for
+// Plays a log in which the hand holds a known mass from beginning to end. If --empty names a log of an empty hand, that
+// log is played directly before. Prints a row of a Markdown table for
 //
 //   rme                    the estimator's estimates over time
 //   batch least squares    one estimate of (m, m r), offsets and friction from the whole run, made afterwards
-//   recursive, forgetting  (m, m r) over the last seconds, without what the empty log shows: the usual thing online
-//   KDL's wrench           of a log of measured torque: the force along gravity at the tip, which Orocos KDL's
-//                          ChainExternalWrenchEstimator finds, over gravity, averaged over the last seconds; of the
-//                          torque as it is and, with --empty, without what the empty log shows
+//   recursive, forgetting  with --empty: (m, m r) from the last seconds, after the offset and friction of the empty log
+//                          are subtracted: the usual method for online use
+//   KDL's wrench           if the log has measured torque: the force along gravity at the tip as found by Orocos KDL's
+//                          ChainExternalWrenchEstimator, divided by gravity, averaged over the last seconds; once from
+//                          the torque as it is and, with --empty, once after offset and friction are subtracted
 //
-// With --mass 0 the run is an empty hand's. With --add, a simulated payload is added to what the hand holds, and KDL's
-// wrench is left out. Built without Orocos KDL it says so and leaves its rows out. Exit codes: 0;
-// 2 unusable arguments; 3 unusable log.
-#include <Eigen/Cholesky>
+// With --mass 0 the hand is empty during the run. With --add, a simulated payload is added to what the hand holds, and
+// KDL's wrench is left out. If it was built without Orocos KDL, the program says so and leaves KDL's rows out. Exit
+// codes: 0; 2 unusable arguments; 3 unusable log.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -35,20 +35,22 @@ using namespace rme::examples;
 
 constexpr const char* kUsage = "usage: score_run LOG.csv[.gz] --mass KG [options]\n";
 constexpr const char* kOwnUsage =
-    "  --mass KG           what the hand holds [kg]\n"
-    "  --add KG            a simulated payload beside it, 6 cm from the tip [kg]\n"
-    "  --empty LOG.csv     played first; friction and offsets for recursive least squares come from it\n"
-    "  --name TEXT         of the run, for the table\n"
+    "  --mass KG           mass that the hand holds [kg]\n"
+    "  --add KG            mass of a simulated payload in addition, 6 cm from the tip [kg]\n"
+    "  --empty LOG.csv     log of an empty hand, which is played first; friction and offsets for recursive least\n"
+    "                      squares and KDL come from it\n"
+    "  --name TEXT         name of the run, for the table\n"
     "  --header            print the table's header as well\n";
 
 constexpr double kNinety = 1.6448536269514722;
 constexpr double kSettles = 5, kEarly = 10, kMemory = 5;  // [s]
 
 struct Belief {
-  double t, mass, deviation;  // since the run's begin [s], [kg], [kg]
+  double t, mass, deviation;  // since the beginning of the run [s]; estimate and its standard deviation [kg]
 };
 
-/// A row of the table. Means are over time, from kSettles on.
+/// Prints a row of the table. Means are over time, from kSettles on.
+/// @param honest  whether the method states a standard deviation
 void print(const std::string& run, const char* what, const std::vector<Belief>& beliefs, double truth, bool honest) {
   double error = 0, held = 0, time = 0, early = 0, largest = 0;
   for (std::size_t i = 0; i < beliefs.size(); ++i) {
@@ -81,7 +83,7 @@ double batch(const LogBlocks& log, const Eigen::VectorXd& weight) {
       b += weight[j] * row * log.tau(i, j);
     }
   }
-  return A.ldlt().solve(b)[0];
+  return solve(A, b)[0];
 }
 
 std::vector<Belief> recursive(const LogBlocks& log, const Eigen::MatrixXd& torque, const Eigen::VectorXd& weight,
@@ -98,20 +100,20 @@ std::vector<Belief> recursive(const LogBlocks& log, const Eigen::MatrixXd& torqu
       A += weight[j] * h * h.transpose();
       b += weight[j] * h * torque(i, j);
     }
-    out.push_back({log.end[i] - begin, A.ldlt().solve(b)[0], 0});
+    out.push_back({log.end[i] - begin, solve(A, b)[0], 0});
   }
   return out;
 }
 
 #ifdef RME_HAS_KDL
-/// KDL's mass, averaged with the memory that recursive least squares has.
-/// @param known  torque to be taken for offset and friction, in the shape of blocks.tau; or empty [N m]
+/// KDL's mass, averaged with the same memory as recursive least squares.
+/// @param known  offset and friction to subtract, in the shape of blocks.tau [N m]; or empty
 template <int Dofs>
 std::vector<Belief> kdl_wrench(const Log<Dofs>& log, const Samples<Dofs>& samples, const LogBlocks& blocks,
                                const RecordedArm<Dofs>& arm, double sign, const Eigen::MatrixXd& known) {
-  constexpr double kGain = 50;  // [1/s], as the other observers
-  // What serves KDL best on these recordings, of 1e-5 (its default, with which the error is tens of kilograms: near
-  // singular poses it divides friction by next to nothing), 0.03, 0.1, 0.2, 0.3 and 0.5.
+  constexpr double kGain = 50;  // as that of the other observers [1/s]
+  // Of 1e-5, 0.03, 0.1, 0.2, 0.3 and 0.5, the best value for KDL on these recordings. With 1e-5, its default, the error
+  // is tens of kilograms: near singular poses it divides friction by almost zero.
   constexpr double kSingular = 0.1;
   KdlTipMass<Dofs> tip(arm.model, arm.rotor_inertia, samples.timing.period, kGain, kSingular);
   std::vector<Belief> out;
@@ -122,7 +124,7 @@ std::vector<Belief> kdl_wrench(const Log<Dofs>& log, const Samples<Dofs>& sample
     const double t = log.t[row], step = k > 0 ? t - log.t[samples.row[k - 1]] : samples.timing.period;
     rme::JointVector<double, Dofs> tau = sign * arm.gains.cwiseProduct(log.tau[row]);
     while (block + 1 < blocks.blocks() && blocks.end[block] < t) ++block;
-    if (known.size() > 0)  // tau_ext is what tau lacks
+    if (known.size() > 0)  // tau_ext is the model's torque minus tau
       tau += known.row(block).transpose() - load_friction(arm, log.q[row], samples.sample[k].dq);
     const double keep = std::exp(-step / kMemory);
     sum = keep * sum + step * tip.update(log.q[row], samples.sample[k].dq, tau);

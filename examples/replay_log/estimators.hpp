@@ -1,5 +1,5 @@
 #pragma once
-/// The estimators that rme_replay has compiled, so that a program which links it need not.
+/// The estimators that are compiled in rme_replay, so that programs that link it need not compile them.
 #include <rme/estimator.hpp>
 
 namespace rme {

@@ -1,5 +1,5 @@
 #pragma once
-/// A recording in blocks of 20 ms, as the tracker sees it, for any number of joints.
+/// A recording in blocks of 20 ms, as the tracker uses it, for any number of joints.
 #include <Eigen/Core>
 #include <string>
 #include <vector>
@@ -12,9 +12,9 @@ namespace rme::examples {
 struct LogBlocks {
   std::string name;
   Eigen::VectorXd end, duration;         ///< [s]
-  Eigen::MatrixXd tau;                   ///< external torque, the observer's lag taken out [N m]
+  Eigen::MatrixXd tau;                   ///< external torque, the observer's lag removed [N m]
   Eigen::MatrixXd velocity;              ///< [rad/s]
-  Eigen::MatrixXd direction;             ///< of a moving joint: the mean of sign(dq)
+  Eigen::MatrixXd direction;             ///< direction of dry friction, -1 to 1
   Eigen::MatrixXd resting;               ///< share of the block for which the joint rests
   Eigen::MatrixXd gravity;               ///< the model's gravity torque [N m]
   std::vector<Eigen::MatrixXd> payload;  ///< for each joint: torque per (m, m r) [N m / kg, N m / (kg m)], 4 columns
@@ -23,7 +23,7 @@ struct LogBlocks {
   Eigen::Index joints() const noexcept { return tau.cols(); }
 };
 
-/// The torque that a log's samples show, block by block.
+/// Averages a log's samples over blocks.
 template <int Dofs>
 LogBlocks blocks_of(const Log<Dofs>& log, const Samples<Dofs>& samples, const RecordedArm<Dofs>& arm);
 

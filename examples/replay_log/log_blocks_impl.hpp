@@ -1,5 +1,5 @@
 #pragma once
-/// Body of log_blocks.hpp, for replay_dofs.cpp.in, which compiles it for each number of joints.
+/// Implementation of log_blocks.hpp, for replay_dofs.cpp.in, which compiles it for each number of joints.
 #include <rme/tracking/friction_regime.hpp>
 #include <rme/tracking/torque_block.hpp>
 

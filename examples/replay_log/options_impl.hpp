@@ -1,9 +1,10 @@
 #pragma once
-/// Bodies of options.hpp, for replay_dofs.cpp.in, which compiles them for each number of joints.
+/// Implementation of options.hpp, for replay_dofs.cpp.in, which compiles it for each number of joints.
 #include <cstdio>
 #include <rme/estimator_json.hpp>
 #include <stdexcept>
 
+#include "io/number.hpp"
 #include "replay_log/options.hpp"
 #include "replay_log/settings_model.hpp"
 #include "run_network/json_file.hpp"
@@ -12,7 +13,7 @@ namespace rme::examples {
 
 namespace detail {
 
-/// What `make` returns; its errors name what the command line gave.
+/// What `make` returns; its errors name the file or options that caused them.
 template <typename Make>
 auto named(const std::string& given, Make&& make) {
   try {

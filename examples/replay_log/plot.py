@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Draws what `replay_log LOG --json` has printed: what was believed at each instant of a log.
+"""Draws the output of `replay_log LOG --json`: the estimate at each instant of a log.
 
     replay_log LOG.csv ... --json > beliefs.json
     python3 plot.py beliefs.json [PICTURE]
 
-Above, the mass with its 90 % interval, and the true one where the log has it; in the middle, what is going on; below, the
-health: 1 if the arm does what model and payload say.
+At the top, the mass with its 90 % interval, and the true mass where the log has it; in the middle, the probabilities of
+the hypotheses; at the bottom, health, which is about 1 if the torque is as model and payload predict it.
 """
 import argparse
 import json

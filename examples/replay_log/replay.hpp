@@ -1,5 +1,5 @@
 #pragma once
-/// A recording played through the estimator, sample by sample, as a live host would have fed it.
+/// Plays a recording through the estimator, sample by sample, as a live host would have passed the samples.
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -14,29 +14,29 @@
 
 namespace rme::examples {
 
-/// What to do with a log.
+/// How to replay a log.
 template <int Dofs>
 struct ReplayOptions {
   RecordedArm<Dofs> arm;
   EstimatorConfig<double, Dofs> estimator;
-  std::optional<double> at;        ///< [s]: the host says that the payload changes; the replay ends `window` later
+  std::optional<double> at;        ///< when trigger() is called; the replay ends `window` later [s]
   double window = 0.2;             ///< [s]
-  std::optional<double> empty_at;  ///< [s]: the host says that the hand is empty
+  std::optional<double> empty_at;  ///< when declare_empty() is called [s]
 };
 
-/// What is believed at one instant, in the log's own time.
+/// The estimate at one instant. All times are the log's.
 struct ReplayedEstimate {
-  int event = 0;      ///< events that were over before, pushes left out
-  bool final = true;  ///< the first of an event that is over; else a belief on the way
+  int event = 0;      ///< number of earlier events, without pushes
+  bool final = true;  ///< the first estimate after an event is over; false for all others
   double t = 0;       ///< when a live host would have had it [s]
   std::optional<double> detected_at;
   double window_begin = 0, window_end = 0;  ///< from the event's onset to the newest sample [s]
   EstimatorState<double> state;
-  double elapsed_us = 0;                   ///< of the tick that made it
+  double elapsed_us = 0;                   ///< computing time of that tick [us]
   const Vector4<double>* truth = nullptr;  ///< at t, in the log; null if it has none
 };
 
-/// A change that was found to be no payload.
+/// An event that was a push.
 struct ReplayedPush {
   double t = 0;  ///< when a live host would have known [s]
   double detected_at = 0;
@@ -46,7 +46,7 @@ struct ReplayedPush {
 struct ReplaySummary {
   std::size_t samples = 0;
   int estimates = 0;  ///< final ones
-  int rejected = 0;
+  int rejected = 0;   ///< pushes
 };
 
 /// How a log's time stamps are spaced.
@@ -59,43 +59,44 @@ struct LogTiming {
   std::size_t same_instant = 0;  ///< rows with the time stamp of the row before, left out
   std::size_t held = 0;          ///< rows that repeat all of the row before while the arm moves, left out
 
-  /// What a user should know of it, a sentence each; nothing if all steps are alike within a tenth.
+  /// Remarks for the user, a sentence each; none if all steps are within a tenth of the period.
   std::vector<std::string> notes() const;
 };
 
-/// Median time step [s]: the rate of a log whose stamps jitter. Needs two samples.
+/// Median time step [s], also if time stamps jitter. Needs two samples.
 double nominal_period(const std::vector<double>& t);
 
-/// The weight of a step's torque in what an observer says after it: that of a period of a millisecond, as often as it
-/// fits in, which is how BlockAverager takes the observer out again.
-/// @param bandwidth  [rad/s]; 0: no observer, 1
+/// Weight of a step's torque in an observer's output after the step: 1 - (1 - K 1 ms)^(period / 1 ms), as if the
+/// observer ran at 1 kHz. BlockAverager removes the observer in the same way.
+/// @param bandwidth  K [rad/s]; 0: no observer, the weight is 1
 /// @param period     of the step [s]
 double observer_blend(double bandwidth, double period);
 
-/// A log as a host would have fed it.
+/// The samples that a host would have passed to the estimator.
 template <int Dofs>
 struct Samples {
   std::vector<std::size_t> row;                      ///< of the log, for each sample
   std::vector<Proprioception<double, Dofs>> sample;  ///< with the time since the sample before as its period
-  double bandwidth = 0;  ///< of the filter that the external torque has gone through [rad/s]; 0 if none
+  double bandwidth = 0;  ///< of the filter that the external torque has passed [rad/s]; 0 if none
   TorqueSign sign = TorqueSign::External;
   LogTiming timing;
 };
 
-/// External torque is the log's own, or comes from the measured torque: over each step of the log's own length, the
-/// mean that explains how the momentum has changed,
+/// The external torque is that of the log, or is computed from measured torque. In the second case it is, for each step
+/// of length h between two rows, the mean torque that explains the change of the momentum p,
 ///
 ///     (p_k - p_k-1) / h - mean(tau) - mean(C^T dq - g),
 ///
-/// through an observer of the config's bandwidth, whose discretisation is the one that the estimator takes out again.
+/// passed through an observer of the config's bandwidth, which is discretised in the way in which the estimator removes
+/// it.
 /// @param config  its observer_bandwidth and torque_sign are those of the log's torque
 /// @throws LogError if the log has a single row, or fewer than 50 rows a second
 template <int Dofs>
 Samples<Dofs> samples_of(const Log<Dofs>& log, const RecordedArm<Dofs>& arm,
                          const EstimatorConfig<double, Dofs>& config);
 
-/// Plays the log. A belief is handed on for each block while something changes and half a second after that, and ten
-/// times a second otherwise.
+/// Plays the log. Calls `on_estimate` for each block during an event and half a second after it, and ten times a second
+/// otherwise; `on_push` for each event that was a push.
 template <int Dofs>
 ReplaySummary replay(const Log<Dofs>& log, const Samples<Dofs>& samples, const ReplayOptions<Dofs>& options,
                      const std::function<void(const ReplayedEstimate&)>& on_estimate,

@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies of replay.hpp, for replay_dofs.cpp.in, which compiles them for each number of joints.
+/// Implementation of replay.hpp, for replay_dofs.cpp.in, which compiles it for each number of joints.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace rme::examples {
 
 namespace detail {
 
-/// Whether a row says nothing that the row before has not said, although the arm moves: its sensors were not read.
+/// Whether a row repeats the row before although the arm moves: the sensors were not read.
 template <int Dofs>
 bool is_held(const Log<Dofs>& log, std::size_t row) {
   constexpr double kMoves = 1e-3;  // [rad/s]

@@ -1,10 +1,10 @@
-// replay_log: what would rme have estimated, and when? Plays a recording of an arm through the estimator.
+// replay_log: plays a recording of an arm through the estimator, and prints what rme would have estimated, and when.
 //
-// Reads a CSV log (plain or gzip) of a Franka Panda, or of the arm that --urdf describes; columns by their names: t,
-// q1.. and tau_ext1.., or tau1.. (measured torque, gravity included, or motor current) with dq1..; dq1.. and the truth
-// m, rx, ry, rz if there. Prints a line for each event, as a table, or with --json each estimate as one JSON object per
-// line. Assumptions and irregular time stamps are reported on stderr, or in objects of type "note". Exit codes: 0; 2
-// unusable arguments; 3 unreadable log or URDF.
+// Reads a CSV log (plain or gzip) of a Franka Panda, or of the arm that --urdf describes. Columns are found by their
+// names: t, q1.. and either tau_ext1.., or tau1.. (measured torque, gravity included, or motor current) with dq1..;
+// optional are dq1.. and the truth m, rx, ry, rz. Prints a table with a line for each event, or with --json each
+// estimate as one JSON object per line. Assumptions and irregular time stamps are reported on stderr, or with --json in
+// objects of type "note". Exit codes: 0; 2 unusable arguments; 3 unreadable log or URDF.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,9 +23,9 @@ using nlohmann::ordered_json;
 using rme::Hypothesis;
 
 constexpr const char* kUsage = "usage: replay_log LOG.csv[.gz] [options]\n";
-constexpr const char* kOwnUsage = "  --json              one JSON object per line\n";
+constexpr const char* kOwnUsage = "  --json              print each estimate as one JSON object per line\n";
 
-/// Odds of a payload, an empty one included, against a push [nats].
+/// Log odds of a payload, or an empty hand, against a push [nats].
 double log_odds(const rme::EstimatorState<double>& state) {
   const double pushed = std::clamp(state.probability[Hypothesis::Pushed], 1e-12, 1 - 1e-12);
   return std::log((1 - pushed) / pushed);
@@ -103,7 +103,7 @@ void print_row(const ReplayedEstimate& e) {
   std::printf("\n");
 }
 
-/// The network's output (m, r) for the 200 ms that end at `t`, or null if they are too far from its training data.
+/// The network's output (m, r) for the 200 ms that end at `t`, or null if the samples are too unlike its training data.
 template <int Dofs>
 ordered_json guess_of(const NetworkFile& file, const Log<Dofs>& log, const Samples<Dofs>& samples, double t) {
   const double dt = samples.timing.period;

@@ -1,4 +1,4 @@
-// score_tracking: what is believed at each instant, against the truth of that instant.
+// score_tracking: compares the estimate at each instant of a recording with the truth at that instant.
 //
 // Takes folders of recordings with a manifest.json (as make_logs writes them) and the options of replay_log, and prints
 // a row for each scenario and folder:
@@ -6,12 +6,14 @@
 //   mass, centre of mass   mean absolute error over the scenario's window and all runs, and how often the 90 % interval
 //                          holds the truth. Windows: A, B at 0.5 s after the attach; D the whole run; E the last 4 s;
 //                          F the end; M 8 to 11.9 s
-//   end, lag               mean error of the mass at the end; largest on the way while a cup is filled (F)
-//   before                 largest mass that is believed before the attach
-//   attach                 median time until the mass is within 5 % of the truth for 0.3 s on end
-//   pushed                 runs in which a mass 50 g off is believed for over 0.2 s, 0.3 s and more after a change (D)
+//   end                    mean absolute error of the mass at the end
+//   lag                    F: largest error of the mass from the beginning of the pour on, mean over the runs
+//   before                 largest mass that is estimated before the attach
+//   attach                 median time after which the mass stays within 5 % of the truth for 0.3 s
+//   pushed                 D: runs in which the mass is off by more than 50 g for more than 0.2 s, the 0.3 s after each
+//                          change left out
 //
-// The recordings can be made worse first, as real arms make them.
+// Options make the samples worse first, in ways that occur on real arms.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -31,13 +33,13 @@ using namespace rme::examples;
 
 constexpr const char* kUsage = "usage: score_tracking FOLDER... [options]\n";
 constexpr const char* kOwnUsage =
-    "  --scenario LETTERS  of the runs (ABDEFM)\n"
-    "  --dq-noise W        white noise on dq [rad/s]\n"
-    "  --torque-step T     tau_ext comes in steps [N m]\n"
-    "  --late N            tau_ext comes N rows late\n"
-    "  --observer W        tau_ext as an observer of W rad/s reports it, and not one of --bandwidth\n"
+    "  --scenario LETTERS  which scenarios (ABDEFM)\n"
+    "  --dq-noise W        white noise on dq, standard deviation [rad/s]\n"
+    "  --torque-step T     tau_ext is quantised in steps of T [N m]\n"
+    "  --late N            tau_ext is delayed by N rows\n"
+    "  --observer W        tau_ext as an observer of W rad/s would report it; --bandwidth is then the recordings' own\n"
     "  --lost P            share of rows that are lost\n"
-    "  --every N           only each Nth row\n"
+    "  --every N           only every Nth row\n"
     "  --seed N            of noise and losses (1)\n";
 
 constexpr double kNinety = 1.6448536269514722;  // half width of a Gaussian's 90 % interval [standard deviations]
@@ -48,7 +50,7 @@ struct Faults {
   std::size_t late = 0, every = 1, seed = 1;
 };
 
-/// tau_ext of another observer than that of the recording; both have a period of one row.
+/// tau_ext as another observer than that of the recording would report it; both run once per row.
 /// @param recorded  bandwidth of the recording's [rad/s], > 0
 std::vector<rme::JointVector<double, 7>> observed_by(double bandwidth, double recorded, const Log<7>& log) {
   std::vector<rme::JointVector<double, 7>> out{log.tau_ext.front()};
@@ -61,6 +63,7 @@ std::vector<rme::JointVector<double, 7>> observed_by(double bandwidth, double re
   return out;
 }
 
+/// The log with the faults.
 /// @param recorded  bandwidth of the recording's observer [rad/s]
 Log<7> spoilt(const Log<7>& log, const Faults& faults, double recorded, std::size_t run) {
   std::mt19937_64 random(faults.seed * 1000 + run);
@@ -90,7 +93,7 @@ struct Belief {
   Eigen::Vector4d mean, deviation;
 };
 
-/// Of one run.
+/// The result of one run.
 struct Score {
   Eigen::Vector4d error = Eigen::Vector4d::Zero(), held = Eigen::Vector4d::Zero();  // means over the window
   double end = 0, lag = 0, before = 0, attach = 1e9;
@@ -208,7 +211,7 @@ int run(Arguments& arguments) {
     for (const auto& entry : manifest.at("runs")) {
       const std::string scenario = entry.at("scenario");
       const std::string name = entry.at("name");
-      // A run without faults stands beside the others of its kind in some folders.
+      // Some folders also have runs without faults, with "clean" in their names: they are left out.
       if (scenario.size() != 1 || scenarios.find(scenario) == std::string::npos ||
           name.find("clean") != std::string::npos || std::string("ABDEFM").find(scenario) == std::string::npos)
         continue;

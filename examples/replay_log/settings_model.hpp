@@ -1,5 +1,5 @@
 #pragma once
-/// The arm that settings belong to, where it is not the URDF as its maker wrote it: "model" in a settings file.
+/// "model" in a settings file: the arm that the settings belong to, if it is not the URDF as its maker wrote it.
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -8,22 +8,22 @@
 
 namespace rme::examples {
 
-/// What settings say of the arm that they were made with:
+/// The "model" of settings:
 ///
 ///     "model": {"urdf": "corrected.urdf", "base": "base_link", "tip": "tool0", "rotor_inertia": [3.9, 2.5, ..],
 ///               "load_friction": [0, 0.09, ..]}
 ///
-/// @param chain          that the URDF has
-/// @param urdf           its file, as seen from the settings' folder
+/// @param chain          the chain in the URDF
+/// @param urdf           the URDF's file, relative to the settings' folder
 /// @param rotor_inertia  of each joint, gear included [kg m^2]
-/// @param load_friction  as RecordedArm has it
+/// @param load_friction  of each joint, as RecordedArm::load_friction
 nlohmann::json model_to_json(const UrdfChain& chain, const std::string& urdf, const std::vector<double>& rotor_inertia,
                              const std::vector<double>& load_friction);
 
-/// Puts the arm of `model` in the place of what the command line said of links and rotors.
-/// @param file  of the settings: where the URDF is looked for, and what to call it in messages
-/// @return a sentence that says so
-/// @throws ArgumentError if it is no such model, or of another arm than the command line's; UrdfError
+/// Replaces the request's arm by that of `model`. Rotor inertias of the command line are kept.
+/// @param file  the settings' file: the URDF is relative to its folder, and messages name it
+/// @return a note about this for the user
+/// @throws ArgumentError if `model` is malformed or of another arm than the command line's; UrdfError
 std::string use_model(const nlohmann::json& model, const std::string& file, ArmRequest& request);
 
 }  // namespace rme::examples

@@ -8,7 +8,9 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
+#include <rme/core/wrench.hpp>
 #include <string>
 
 namespace rme::examples {
@@ -21,35 +23,17 @@ struct RigidBody {
 };
 
 /// Both bodies welded together.
-inline RigidBody operator+(const RigidBody& a, const RigidBody& b) {
-  RigidBody sum;
-  sum.mass = a.mass + b.mass;
-  if (!(sum.mass > 0)) return sum;
-  sum.com = (a.mass * a.com + b.mass * b.com) / sum.mass;
-  sum.inertia = a.inertia + b.inertia;
-  for (const RigidBody* body : {&a, &b}) {
-    const Eigen::Matrix3d lever = skew(body->com - sum.com);
-    sum.inertia -= body->mass * lever * lever;
-  }
-  return sum;
-}
+RigidBody operator+(const RigidBody& a, const RigidBody& b);
 
 /// The body in other axes: those in which its own axes' origin is at `offset` [m], and which `rotation` maps them to.
-inline RigidBody moved(const RigidBody& body, const Eigen::Vector3d& offset, const Eigen::Matrix3d& rotation) {
-  return {body.mass, rotation * body.com + offset, rotation * body.inertia * rotation.transpose()};
-}
+RigidBody moved(const RigidBody& body, const Eigen::Vector3d& offset, const Eigen::Matrix3d& rotation);
 
 /// The same shape with `factor` of the density: how a payload that is being handed over weighs in.
-inline RigidBody operator*(double factor, const RigidBody& body) {
-  return {factor * body.mass, body.com, factor * body.inertia};
-}
+RigidBody operator*(double factor, const RigidBody& body);
 
 /// A solid box of even density, e.g. a payload; a box is more honest than a point mass.
 /// @param size  edge lengths along the axes that the body is fixed to [m]
-inline RigidBody box(double mass, const Eigen::Vector3d& com, const Eigen::Vector3d& size) {
-  const Eigen::Vector3d s = size.cwiseAbs2();
-  return {mass, com, (mass / 12 * Eigen::Vector3d(s[1] + s[2], s[0] + s[2], s[0] + s[1])).asDiagonal()};
-}
+RigidBody box(double mass, const Eigen::Vector3d& com, const Eigen::Vector3d& size);
 
 /// One row of an arm's table. The joint turns the link about the link's own z axis.
 struct Link {
@@ -61,13 +45,8 @@ struct Link {
 /// A Link by its numbers, in the order in which robot descriptions give them.
 /// @param roll     fixed rotation about the parent's x axis, after the offset [rad]
 /// @param inertia  Ixx Iyy Izz Ixy Ixz Iyz about the centre of mass, link axes [kg m^2]
-inline Link link(const Eigen::Vector3d& offset, double roll, double mass, const Eigen::Vector3d& com,
-                 const std::array<double, 6>& inertia) {
-  const auto& [xx, yy, zz, xy, xz, yz] = inertia;
-  Eigen::Matrix3d tensor;
-  tensor << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-  return {offset, Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()).toRotationMatrix(), {mass, com, tensor}};
-}
+Link link(const Eigen::Vector3d& offset, double roll, double mass, const Eigen::Vector3d& com,
+          const std::array<double, 6>& inertia);
 
 /// Flange pose and Jacobian.
 template <int Dofs>
@@ -116,10 +95,11 @@ struct ArmModel {
   double energy(const Vector& q, const Vector& dq, const RigidBody& payload = {}) const noexcept;
 
  private:
-  using Vectors = Eigen::Matrix<double, 3, Dofs>;  // one column for each link
+  // One entry for each link. Columns of a matrix would be of another type for each number of joints, for all of which
+  // the compiler would have to work through the same algebra again.
   struct Frames {
-    Vectors origin, axis;                        // o_i and z_i
-    std::array<Eigen::Matrix3d, Dofs> rotation;  // link axes to world axes
+    Eigen::Vector3d origin[Dofs], axis[Dofs];  // o_i and z_i
+    Eigen::Matrix3d rotation[Dofs];            // link axes to world axes
   };
   // A body's inertia about the world origin: mass, mass times centre, second moment.
   struct Inertia {
@@ -129,7 +109,7 @@ struct ArmModel {
   };
 
   Frames frames(const Vector& q) const noexcept;
-  Inertia inertia(const Frames& at, std::size_t i, const RigidBody& payload) const noexcept;
+  Inertia inertia(const Frames& at, int i, const RigidBody& payload) const noexcept;
 };
 
 template <int Dofs>
@@ -145,9 +125,9 @@ auto ArmModel<Dofs>::frames(const Vector& q) const noexcept -> Frames {
     const Eigen::Vector3d x = c * R.col(0) + s * R.col(1);
     R.col(1) = c * R.col(1) - s * R.col(0);
     R.col(0) = x;
-    at.origin.col(i) = origin;
-    at.axis.col(i) = R.col(2);
-    at.rotation[static_cast<std::size_t>(i)] = R;
+    at.origin[i] = origin;
+    at.axis[i] = R.col(2);
+    at.rotation[i] = R;
   }
   return at;
 }
@@ -156,22 +136,20 @@ template <int Dofs>
 Kinematics<Dofs> ArmModel<Dofs>::kinematics(const Vector& q) const noexcept {
   const Frames at = frames(q);
   Kinematics<Dofs> out;
-  out.rotation = at.rotation.back() * flange_rotation;
-  out.position = at.origin.col(Dofs - 1) + at.rotation.back() * flange;
-  for (int i = 0; i < Dofs; ++i) {
-    out.jacobian.template block<3, 1>(0, i) = at.axis.col(i).cross(out.position - at.origin.col(i));
-    out.jacobian.template block<3, 1>(3, i) = at.axis.col(i);
-  }
+  out.rotation = at.rotation[Dofs - 1] * flange_rotation;
+  out.position = at.origin[Dofs - 1] + at.rotation[Dofs - 1] * flange;
+  for (int i = 0; i < Dofs; ++i)
+    rme::detail::column(out.jacobian, i) =
+        rme::detail::stacked<double>(at.axis[i].cross(out.position - at.origin[i]), at.axis[i]);
   return out;
 }
 
 template <int Dofs>
-auto ArmModel<Dofs>::inertia(const Frames& at, std::size_t i, const RigidBody& payload) const noexcept -> Inertia {
-  const auto column = static_cast<Eigen::Index>(i);
-  RigidBody body = links[i].body;
-  if (i + 1 == links.size() && payload.mass > 0) body = body + moved(payload, flange, flange_rotation);
+auto ArmModel<Dofs>::inertia(const Frames& at, int i, const RigidBody& payload) const noexcept -> Inertia {
+  RigidBody body = links[static_cast<std::size_t>(i)].body;
+  if (i + 1 == Dofs && payload.mass > 0) body = body + moved(payload, flange, flange_rotation);
   const Eigen::Matrix3d& R = at.rotation[i];
-  const Eigen::Vector3d c = at.origin.col(column) + R * body.com;
+  const Eigen::Vector3d c = at.origin[i] + R * body.com;
   Inertia out{body.mass, body.mass * c, R * body.inertia * R.transpose() - out.moment * c.transpose()};
   out.tensor.diagonal().array() += out.moment.dot(c);
   return out;
@@ -180,54 +158,53 @@ auto ArmModel<Dofs>::inertia(const Frames& at, std::size_t i, const RigidBody& p
 template <int Dofs>
 Dynamics<Dofs> ArmModel<Dofs>::dynamics(const Vector& q, const Vector& dq, const RigidBody& payload) const noexcept {
   const Frames at = frames(q);
-  Vectors slide;  // linear part of S_i: velocity at the world origin of a body that turns about joint i
-  for (int i = 0; i < Dofs; ++i) slide.col(i) = at.origin.col(i).cross(at.axis.col(i));
+  Eigen::Vector3d slide[Dofs];  // linear part of S_i: velocity at the world origin of a body that turns about joint i
+  for (int i = 0; i < Dofs; ++i) slide[i] = at.origin[i].cross(at.axis[i]);
 
   // Outwards: velocity (v, w) and velocity-product acceleration (a, b) of each link, and from them each body's
   // momentum and the force that this acceleration takes.
-  std::array<Inertia, Dofs> composite;
-  Vectors linear_velocity, angular_velocity, momentum, angular_momentum, force, moment;
+  Inertia composite[Dofs];
+  Eigen::Vector3d linear_velocity[Dofs], angular_velocity[Dofs], momentum[Dofs], angular_momentum[Dofs], force[Dofs],
+      moment[Dofs];
   Eigen::Vector3d v = Eigen::Vector3d::Zero(), w = v, a = v, b = v;
   for (int i = 0; i < Dofs; ++i) {
-    const Eigen::Vector3d v_joint = slide.col(i) * dq[i], w_joint = at.axis.col(i) * dq[i];
+    const Eigen::Vector3d v_joint = slide[i] * dq[i], w_joint = at.axis[i] * dq[i];
     v += v_joint;
     w += w_joint;
     a += w.cross(v_joint) + v.cross(w_joint);
     b += w.cross(w_joint);
-    linear_velocity.col(i) = v;
-    angular_velocity.col(i) = w;
-    const Inertia& I = composite[static_cast<std::size_t>(i)] = inertia(at, static_cast<std::size_t>(i), payload);
+    linear_velocity[i] = v;
+    angular_velocity[i] = w;
+    const Inertia& I = composite[i] = inertia(at, i, payload);
     const Eigen::Vector3d h = I.mass * v - I.moment.cross(w), l = I.moment.cross(v) + I.tensor * w;
-    momentum.col(i) = h;
-    angular_momentum.col(i) = l;
-    force.col(i) = I.mass * a - I.moment.cross(b) + w.cross(h);
-    moment.col(i) = I.moment.cross(a) + I.tensor * b + v.cross(h) + w.cross(l);
+    momentum[i] = h;
+    angular_momentum[i] = l;
+    force[i] = I.mass * a - I.moment.cross(b) + w.cross(h);
+    moment[i] = I.moment.cross(a) + I.tensor * b + v.cross(h) + w.cross(l);
   }
 
   // Inwards: everything becomes the sum over the links that joint i carries.
   Dynamics<Dofs> out;
   for (int i = Dofs - 1; i >= 0; --i) {
-    const Inertia& I = composite[static_cast<std::size_t>(i)];
-    const Eigen::Vector3d z = at.axis.col(i), s = slide.col(i);
+    const Inertia& I = composite[i];
+    const Eigen::Vector3d z = at.axis[i], s = slide[i];
     const Eigen::Vector3d f = I.mass * s - I.moment.cross(z), n = I.moment.cross(s) + I.tensor * z;
-    for (int j = 0; j <= i; ++j)
-      out.mass_matrix(i, j) = out.mass_matrix(j, i) = slide.col(j).dot(f) + at.axis.col(j).dot(n);
-    out.coriolis[i] = s.dot(force.col(i)) + z.dot(moment.col(i));
+    for (int j = 0; j <= i; ++j) out.mass_matrix(i, j) = out.mass_matrix(j, i) = slide[j].dot(f) + at.axis[j].dot(n);
+    out.coriolis[i] = s.dot(force[i]) + z.dot(moment[i]);
     out.gravity[i] = -I.mass * s.dot(gravity_vector) - z.dot(I.moment.cross(gravity_vector));
     // p_i = S_i . (momentum carried), so dM/dt dq = dS_i/dt . momentum + S_i . force, and the last term is C dq.
     // With dM/dt = C + C^T what remains is C^T dq = dS_i/dt . momentum, where dS_i/dt = (v, w) x S_i.
-    const Eigen::Vector3d v_i = linear_velocity.col(i), w_i = angular_velocity.col(i);
-    out.coriolis_transpose[i] =
-        (w_i.cross(s) + v_i.cross(z)).dot(momentum.col(i)) + w_i.cross(z).dot(angular_momentum.col(i));
+    const Eigen::Vector3d v_i = linear_velocity[i], w_i = angular_velocity[i];
+    out.coriolis_transpose[i] = (w_i.cross(s) + v_i.cross(z)).dot(momentum[i]) + w_i.cross(z).dot(angular_momentum[i]);
     if (i == 0) break;
-    Inertia& parent = composite[static_cast<std::size_t>(i - 1)];
+    Inertia& parent = composite[i - 1];
     parent.mass += I.mass;
     parent.moment += I.moment;
     parent.tensor += I.tensor;
-    momentum.col(i - 1) += momentum.col(i);
-    angular_momentum.col(i - 1) += angular_momentum.col(i);
-    force.col(i - 1) += force.col(i);
-    moment.col(i - 1) += moment.col(i);
+    momentum[i - 1] += momentum[i];
+    angular_momentum[i - 1] += angular_momentum[i];
+    force[i - 1] += force[i];
+    moment[i - 1] += moment[i];
   }
   return out;
 }
@@ -236,8 +213,9 @@ template <int Dofs>
 double ArmModel<Dofs>::energy(const Vector& q, const Vector& dq, const RigidBody& payload) const noexcept {
   const Frames at = frames(q);
   double potential = 0;
-  for (std::size_t i = 0; i < links.size(); ++i) potential -= inertia(at, i, payload).moment.dot(gravity_vector);
-  return 0.5 * dq.dot(dynamics(q, dq, payload).mass_matrix * dq) + potential;
+  for (int i = 0; i < Dofs; ++i) potential -= inertia(at, i, payload).moment.dot(gravity_vector);
+  const Vector momentum = rme::detail::product(dynamics(q, dq, payload).mass_matrix, dq);
+  return 0.5 * dq.dot(momentum) + potential;
 }
 
 // Compiled once, in seven_joints.cpp and other_joints.cpp; an arm of another number of joints compiles where it is used.

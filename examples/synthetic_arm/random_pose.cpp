@@ -1,12 +1,15 @@
 #include "synthetic_arm/random_pose.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <rme/core/cholesky.hpp>
+#include <rme/core/small_matrix.hpp>
 
 namespace rme::examples {
 
-double smallest_mobility(const Jacobian<double, 7>& jacobian) {
-  const Matrix6<double> mobility = jacobian * jacobian.transpose();
-  return Eigen::SelfAdjointEigenSolver<Matrix6<double>>(mobility, Eigen::EigenvaluesOnly).eigenvalues()[0];
+bool is_mobile(const Jacobian<double, 7>& jacobian, double least) {
+  // The eigenvalues of J J^T are the squares of the singular values. To find them would take longer.
+  Matrix6<double> beyond = rme::detail::outer_square(jacobian);
+  for (int i = 0; i < 6; ++i) beyond(i, i) -= least * least;
+  return Cholesky<double, 6>(beyond).positive_definite();
 }
 
 }  // namespace rme::examples

@@ -5,8 +5,8 @@
 
 namespace rme::examples {
 
-/// The smallest eigenvalue of J J^T, the square of J's smallest singular value: 0 in a singular pose.
-double smallest_mobility(const Jacobian<double, 7>& jacobian);
+/// Whether each of J's singular values is above `least`: none of them is 0 but in a singular pose.
+bool is_mobile(const Jacobian<double, 7>& jacobian, double least);
 
 /// Joint angles anywhere but near a limit or a singular pose, which no controller would hold [rad].
 /// @param uniform  callable (double low, double high) -> double: a random number in between
@@ -18,7 +18,7 @@ JointVector<double, 7> random_panda_pose(Uniform&& uniform) {
   while (true) {
     Vector7 q;
     for (int i = 0; i < 7; ++i) q[i] = middle[i] + uniform(-reach[i], reach[i]);
-    if (smallest_mobility(panda().kinematics(q).jacobian) >= 0.1 * 0.1) return q;
+    if (is_mobile(panda().kinematics(q).jacobian, 0.1)) return q;
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The arm that a recording is of: the built-in Panda, or what --urdf says, and what its recordings mean.
+/// The arm of a recording: the built-in Panda, or the arm of --urdf, and how its recordings are to be read.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,18 +17,18 @@
 namespace rme::examples {
 
 constexpr const char* kArmUsage =
-    "  --urdf FILE         the arm (the built-in Panda, link 8); with\n"
-    "  --base LINK         where it stands: world axes are this link's, and\n"
-    "  --tip LINK          its end effector\n"
-    "  --rated-payload M   heaviest payload of the arm [kg] (3; for --urdf from its effort limits)\n"
+    "  --urdf FILE         the arm (default: the built-in Panda, link 8 as end effector); needs --base and --tip\n"
+    "  --base LINK         the link that does not move; its axes are the world axes\n"
+    "  --tip LINK          the end effector\n"
+    "  --rated-payload M   heaviest payload that the arm is made for [kg] (3; with --urdf from its effort limits)\n"
     "  --torque-sign S     of the log's torque: external (default) or reaction\n"
     "  --gains K1,K2,...   tau1.. are motor currents [A]; torque per ampere of each joint, gear included [N m/A]\n"
-    "  --rotor-inertia I1,I2,...  of each joint, gear included, which tau1.. accelerates as well [kg m^2] (0)\n"
-    "  --gravity X,Y,Z     world axes [m/s^2] (0,0,-9.81)\n";
+    "  --rotor-inertia I1,I2,...  inertia of each joint's rotor, gear included, which tau1.. accelerates [kg m^2] (0)\n"
+    "  --gravity X,Y,Z     gravity vector in world axes [m/s^2] (0,0,-9.81)\n";
 
-/// What the options above say.
+/// The values of the options above.
 struct ArmRequest {
-  std::optional<UrdfChain> chain;  ///< nothing: the Panda
+  std::optional<UrdfChain> chain;  ///< nothing: the built-in Panda
   std::optional<double> rated_payload;
   std::optional<TorqueSign> torque_sign;
   std::vector<double> gains;          ///< none, or one for each joint [N m/A]
@@ -43,20 +43,20 @@ struct ArmRequest {
 /// @throws ArgumentError naming what is wrong; UrdfError
 ArmRequest parse_arm(Arguments& arguments);
 
-/// What the log tools know of an arm.
+/// An arm, and how its recordings are to be read.
 template <int Dofs>
 struct RecordedArm {
   ArmModel<Dofs> model;
-  JointVector<double, Dofs> gains = JointVector<double, Dofs>::Ones();          ///< [N m] for what `tau` is in; or 1
-  JointVector<double, Dofs> rotor_inertia = JointVector<double, Dofs>::Zero();  ///< that `tau` moves as well [kg m^2]
-  /// By how much a moving joint's friction in `tau` grows with the gravity torque that it carries of the arm itself.
+  JointVector<double, Dofs> gains = JointVector<double, Dofs>::Ones();          ///< [N m] per unit of the log's `tau`
+  JointVector<double, Dofs> rotor_inertia = JointVector<double, Dofs>::Zero();  ///< gear included [kg m^2]
+  /// Increase of a moving joint's friction in `tau` per N m of the arm's own gravity torque on the joint.
   JointVector<double, Dofs> load_friction = JointVector<double, Dofs>::Zero();
-  bool is_panda = false;  ///< the built-in one, whose friction is known: it is taken out of measured torque
+  bool is_panda = false;  ///< the built-in one, whose friction is known: it is subtracted from measured torque
 };
 
-/// The heaviest payload that an arm is likely to be made for [kg]: 0.4 of what its effort limits can hold in half of
-/// all poses, 10 cm ahead of its tip. 2.9 for a Panda (3), 10.6 for a UR10e (12.5), 5.3 for an arm of the size of a UR5
-/// (5).
+/// A guess of the rated payload [kg]: 0.4 times the mass, 10 cm ahead of the tip, that the effort limits can hold in
+/// half of all poses. It is 2.9 for a Panda (data sheet: 3), 10.6 for a UR10e (12.5), 5.3 for an arm of the size of a
+/// UR5 (5).
 /// @throws UrdfError if the URDF does not bound the torques
 template <int Dofs>
 double likely_rated_payload(const ArmModel<Dofs>& model) {
@@ -94,19 +94,21 @@ double likely_rated_payload(const ArmModel<Dofs>& model) {
   return rated;
 }
 
-/// Torque [N m] that friction which grows with the arm's own weight takes from each joint.
+/// The part of each joint's friction torque that grows with the arm's own weight, to subtract from measured torque
+/// [N m].
 template <int Dofs>
 JointVector<double, Dofs> load_friction(const RecordedArm<Dofs>& arm, const JointVector<double, Dofs>& q,
                                         const JointVector<double, Dofs>& dq) {
-  constexpr double kSlow = 0.02;  // rad/s: below it a joint is not sure to move
+  constexpr double kSlow = 0.02;  // [rad/s]: at lower speeds it is uncertain whether a joint moves
   if (arm.load_friction.isZero(0)) return JointVector<double, Dofs>::Zero();
   const JointVector<double, Dofs> rest = JointVector<double, Dofs>::Zero();
   const JointVector<double, Dofs> load = arm.model.dynamics(q, rest).gravity.cwiseAbs();
   return arm.load_friction.cwiseProduct(load).cwiseProduct((dq / kSlow).array().tanh().matrix());
 }
 
-/// The arm of the request, and what its options change in `config`.
-/// @param rated  whether `config` says what the arm is rated for
+/// The arm of the request. Writes the options for gravity, torque sign and rated payload to `config`.
+/// @param rated  whether `config` has the arm's rated payload
+/// @throws UrdfError as likely_rated_payload(), if the rated payload is in neither
 template <int Dofs>
 RecordedArm<Dofs> recorded_arm(const ArmRequest& request, bool rated, EstimatorConfig<double, Dofs>& config) {
   RecordedArm<Dofs> arm;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What the parser says of errors, while it lives; what it would print otherwise.
+/// Collects the parser's error messages while it exists, so that they are not printed.
 class ParserErrors : public console_bridge::OutputHandler {
  public:
   ParserErrors() { console_bridge::useOutputHandler(this); }
@@ -44,9 +44,15 @@ RigidBody moved(const RigidBody& body, const Eigen::Isometry3d& to) {
   return moved(body, to.translation(), to.linear());
 }
 
-/// Rotation that maps z to the joint's axis.
+/// The smallest rotation that maps z to the joint's axis. Eigen's FromTwoVectors() would do the same, but takes longer to
+/// compile than the rest of this file.
 Eigen::Matrix3d from_z(const Eigen::Vector3d& axis) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
+  const Eigen::Vector3d to = axis.normalized();
+  if (to.z() < -1 + 1e-12) return from_z(-to) * Eigen::Vector3d(1, -1, -1).asDiagonal();  // half a turn about x more
+  Eigen::Quaterniond turn;
+  turn.w() = std::sqrt((1 + to.z()) * 2) * 0.5;
+  turn.vec() = Eigen::Vector3d::UnitZ().cross(to) * (1 / (2 * turn.w()));
+  return turn.toRotationMatrix();
 }
 
 const char* type_name(int type) {
@@ -62,7 +68,7 @@ const char* type_name(int type) {
   }
 }
 
-/// A URDF and how to complain about it.
+/// A parsed URDF; its errors name the file.
 class Reader {
  public:
   Reader(const std::string& text, const std::string& file) : file_(file) {
@@ -84,7 +90,7 @@ class Reader {
     out.name = model_->getName();
     out.base = base;
     out.tip_link = tip;
-    Eigen::Isometry3d at = Eigen::Isometry3d::Identity();  // the URDF's link, in the axes of the last that moves
+    Eigen::Isometry3d at = Eigen::Isometry3d::Identity();  // the URDF's link in the axes of the last moving link
     std::set<const urdf::Joint*> along(path.begin(), path.end());
     for (std::size_t k = 0; k < path.size(); ++k) {
       const urdf::Joint& joint = *path[k];
@@ -100,7 +106,7 @@ class Reader {
       if (!(axis.norm() > 1e-9) || !axis.allFinite()) fail("joint " + joint.name + " has no axis");
       const Eigen::Matrix3d turn = from_z(axis.normalized());
       const Eigen::Isometry3d to_link(Eigen::Quaterniond(Eigen::Matrix3d(turn.transpose())));
-      std::set<const urdf::Joint*> beyond;  // what hangs on the next joint that moves is the next link's
+      std::set<const urdf::Joint*> beyond;  // all that is attached to the next moving joint belongs to the next link
       for (std::size_t n = k + 1; n < path.size(); ++n)
         if (path[n]->type != urdf::Joint::FIXED) beyond.insert(path[n]);
       const RigidBody body = welded(*link(joint.child_link_name), Eigen::Isometry3d(turn.transpose()), beyond);
@@ -129,7 +135,7 @@ class Reader {
     fail("has no link " + name + "; there are " + all);
   }
 
-  /// The parser does not mind a link with two parents, or one that is its own ancestor.
+  /// Refuses a link with two parents, or one that is its own ancestor: the parser accepts them.
   void refuse_loops() const {
     std::map<std::string, const urdf::Joint*> above;
     for (const auto& [name, joint] : model_->joints_) {
@@ -171,7 +177,8 @@ class Reader {
     return moved(RigidBody{i.mass, Eigen::Vector3d::Zero(), tensor}, isometry(i.origin));
   }
 
-  /// All that is welded to `link`, whose axes are `at`, up to the joints `beyond`.
+  /// The body of `link` with all that is attached to it, up to the joints `beyond`.
+  /// @param at  pose of the link's axes
   RigidBody welded(const urdf::Link& link, const Eigen::Isometry3d& at,
                    const std::set<const urdf::Joint*>& beyond) const {
     RigidBody sum = moved(body_of(link), at);

@@ -1,6 +1,5 @@
 #pragma once
-/// An arm's table of numbers from its URDF, and how its number of joints, known when the program runs, finds the
-/// templates that were compiled for it.
+/// An arm's model from its URDF, and the choice of the compiled templates by the number of joints at run time.
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
@@ -12,7 +11,7 @@
 
 namespace rme::examples {
 
-/// Says what is wrong with a URDF, or with what is asked of it: "FILE: ...".
+/// Says what is wrong with a URDF, or with the links that were asked for: "FILE: ...".
 class UrdfError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -20,7 +19,7 @@ class UrdfError : public std::runtime_error {
 
 inline constexpr int kFewestJoints = 4, kMostJoints = 8;  ///< for which the programs are compiled
 
-/// A joint of the chain, with what it may do.
+/// A joint of the chain, with its limits.
 struct ChainJoint {
   std::string name;
   double q_min, q_max;  ///< [rad]; infinite if it is continuous
@@ -28,11 +27,11 @@ struct ChainJoint {
   double tau_max;       ///< [N m]; infinite if the URDF gives none
 };
 
-/// What moves between two links of a URDF, from the base. Its world axes are the base link's.
+/// The moving links and joints between two links of a URDF, from the base on. World axes are those of the base link.
 struct UrdfChain {
   std::string name;            ///< of the robot
-  std::string base, tip_link;  ///< links from which and to which it goes
-  std::vector<Link> links;
+  std::string base, tip_link;  ///< first and last link
+  std::vector<Link> links;     ///< those that move, each with all that is fixed to it
   std::vector<ChainJoint> joints;
   Eigen::Vector3d tip;           ///< tip link's origin in the last moving link's axes [m]
   Eigen::Matrix3d tip_rotation;  ///< tip link's axes to the last moving link's axes
@@ -40,8 +39,9 @@ struct UrdfChain {
   int dofs() const noexcept { return static_cast<int>(links.size()); }
 };
 
-/// Reads the chain from link `base` to link `tip`. What is welded to a link of the chain belongs to it: links behind
-/// fixed joints, and side branches, be it a hand whose fingers can move, in the position that they have at zero.
+/// Reads the chain from link `base` to link `tip`. A moving link of the chain includes all that is attached to it:
+/// links behind fixed joints, also beyond the tip, and side branches. Movable parts of these, such as fingers, are in
+/// their zero position.
 /// @throws UrdfError naming what is wrong: no such link, and which there are; a joint in the chain that is neither
 ///         revolute nor continuous; a moving link without inertia; a loop; fewer than kFewestJoints joints or more
 ///         than kMostJoints; or that the programs were built without urdfdom
@@ -50,8 +50,8 @@ UrdfChain read_urdf(const std::string& file, const std::string& base, const std:
 /// @param file  what to call it in messages
 UrdfChain parse_urdf(const std::string& text, const std::string& file, const std::string& base, const std::string& tip);
 
-/// The chain as an arm. Requires chain.dofs() == Dofs. Speeds and torques that the URDF does not bound are infinite, a
-/// pose half way between the limits stands for the ready one.
+/// The chain as an arm. Requires chain.dofs() == Dofs. Speeds and torques that the URDF does not bound are infinite.
+/// The ready pose is half way between the limits; 0 for a continuous joint.
 template <int Dofs>
 ArmModel<Dofs> arm_model(const UrdfChain& chain) {
   ArmModel<Dofs> m{};

@@ -1,4 +1,4 @@
-// In place of urdf_chain.cpp where urdfdom is not found.
+// Replaces urdf_chain.cpp if urdfdom is not found.
 #include "urdf_arm/urdf_chain.hpp"
 
 namespace rme::examples {

@@ -138,7 +138,7 @@ void Estimator<Scalar, Dofs>::reset() noexcept {
 
 template <typename Scalar, int Dofs>
 Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) noexcept {
-  const Status status = check(in);
+  const Status status = check_sample(in);
   if (status != Status::Ok) return status;
   const double dt = in.period > 0 ? in.period : dt_;
   Proprioception<Scalar, Dofs> sample = in;

@@ -84,40 +84,41 @@ int main(int argc, char** argv) {
     (void)e.statistics.likelihood(e.precision, e.nuisance, likelihood);
     benchmarks::keep(likelihood);
   });
-  benchmarks::measure("infer: full covariance, from the likelihood", runs, 1, [&](std::size_t i) {
+  benchmarks::measure("infer_payload: full covariance, from the likelihood", runs, 1, [&](std::size_t i) {
     InferenceResult<double> result;
-    (void)infer(likelihoods[i % likelihoods.size()], prior, result);
+    (void)infer_payload(likelihoods[i % likelihoods.size()], prior, result);
     benchmarks::keep(result);
   });
-  benchmarks::measure("infer: full covariance, from the sums", runs, 1, [&](std::size_t i) {
+  benchmarks::measure("infer_payload: full covariance, from the sums", runs, 1, [&](std::size_t i) {
     PayloadLikelihood<double> likelihood;
     InferenceResult<double> result;
     const auto& e = event(i);
     (void)e.statistics.likelihood(e.precision, e.nuisance, likelihood);
-    (void)infer(likelihood, prior, result);
+    (void)infer_payload(likelihood, prior, result);
     benchmarks::keep(result);
   });
-  benchmarks::measure("infer: mean field, from the likelihood", runs, 1, [&](std::size_t i) {
+  benchmarks::measure("infer_payload: mean field, from the likelihood", runs, 1, [&](std::size_t i) {
     InferenceResult<double> result;
-    (void)infer(likelihoods[i % likelihoods.size()], prior, result, MeanFieldConfig());
+    (void)infer_payload(likelihoods[i % likelihoods.size()], prior, result, MeanFieldConfig());
     benchmarks::keep(result);
   });
-  benchmarks::measure("infer: exact with evidence, from the likelihood", runs, 1, [&](std::size_t i) {
+  benchmarks::measure("infer_payload: exact with evidence, from the likelihood", runs, 1, [&](std::size_t i) {
     InferenceResult<double> result;
-    (void)infer(likelihoods[i % likelihoods.size()], prior, result, ExactQuadrature());
+    (void)infer_payload(likelihoods[i % likelihoods.size()], prior, result, ExactQuadrature());
     benchmarks::keep(result);
   });
-  benchmarks::measure("infer: stochastic VI as published, from the likelihood", runs / 10, 1, [&](std::size_t i) {
-    InferenceResult<double> result;
-    (void)infer(likelihoods[i % likelihoods.size()], prior, result, StochasticViConfig(), random);
-    benchmarks::keep(result);
-  });
-  benchmarks::measure("infer: stochastic VI as published, from the sums", runs / 10, 1, [&](std::size_t i) {
+  benchmarks::measure(
+      "infer_payload: stochastic VI as published, from the likelihood", runs / 10, 1, [&](std::size_t i) {
+        InferenceResult<double> result;
+        (void)infer_payload(likelihoods[i % likelihoods.size()], prior, result, StochasticViConfig(), random);
+        benchmarks::keep(result);
+      });
+  benchmarks::measure("infer_payload: stochastic VI as published, from the sums", runs / 10, 1, [&](std::size_t i) {
     PayloadLikelihood<double> likelihood;
     InferenceResult<double> result;
     const auto& e = event(i);
     (void)e.statistics.likelihood(e.precision, e.nuisance, likelihood);
-    (void)infer(likelihood, prior, result, StochasticViConfig(), random);
+    (void)infer_payload(likelihood, prior, result, StochasticViConfig(), random);
     benchmarks::keep(result);
   });
   benchmarks::measure("published_likelihood, from 200 samples", runs, 1, [&](std::size_t i) {

@@ -186,7 +186,7 @@ int main(int argc, char** argv) {
     const auto stepping = [&](const StochasticViConfig& config) {
       InferenceResult<double> result;
       return benchmarks::time_of([&] {
-        (void)infer(Residuals(ticks), prior, result, config, random);
+        (void)infer_payload(Residuals(ticks), prior, result, config, random);
         benchmarks::keep(result);
       });
     };

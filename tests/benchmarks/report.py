@@ -262,7 +262,7 @@ def alternatives(benchmarks):
             "tracker: the 200 ticks after the attach, together", "PublishedPipeline: the tick that estimates")
     for source in ("from the sums", "from the likelihood"):
         add(f"closed-form VI, {source}", "rme's stochastic VI with the published settings, from the same", "bench_inference",
-            f"infer: full covariance, {source}", f"infer: stochastic VI as published, {source}")
+            f"infer_payload: full covariance, {source}", f"infer_payload: stochastic VI as published, {source}")
     for active in ("no active row", "1 active row", "2 or 3 active rows", "4 or more active rows"):
         for peer, name in (("quadprog", "quadprog, Fortran from R's package"), ("NLopt SLSQP", "NLopt's SLSQP")):
             add(f"quadratic program of 14 rows and a box, cold, {active}", name, "bench_qp_peers",
@@ -320,10 +320,10 @@ def main():
 This page is written by `bash tests/benchmarks/run.sh`. Run it on your own machine, and compare ratios rather than microseconds.
 
 {machine(build)}. {' '.join(FLAGS)}, unless a row says otherwise. One thread{', at real-time priority' if benchmarks.prefix else ''}; the machine is shared, and virtual.
-Between two ticks of the estimator a tick of a simulation runs, which uses the same caches.
+Between two ticks of the estimator, a tick of a simulation runs and uses the same caches.
 
-Every row names the program in `build-benchmarks/tests/benchmarks` that measures it. The times in the first tables are medians. "All measurements"
-has what each program prints: the median and the times that 99 % and 99.9 % of the calls do not exceed.
+Every row names the program in `build-benchmarks/tests/benchmarks` that measures it. The times in the first tables are medians.
+"All measurements" has the output of each program: the median and the times that 99 % and 99.9 % of the calls do not exceed.
 `panda.pt` is made by `python3 tests/benchmarks/trace.py examples/models/panda.json panda.pt`.
 
 ## Against the targets
@@ -332,17 +332,18 @@ has what each program prints: the median and the times that 99 % and 99.9 % of t
 |---|---:|---:|---|---|
 {chr(10).join(target_rows)}
 
-A tick is `update()` and `compensation()`. The work for a block of 20 ticks is spread over the ticks after it. The slowest
-kind of tick is the one of the 20 with the highest median, the fastest kind the one with the lowest. The upper bound of each call's
-work: [real_time.md](real_time.md).
+A tick is `update()` and `compensation()`. The work for a block of 20 ticks is spread over the ticks after it, so there are 20
+kinds of tick. The slowest kind is the one with the highest median, the fastest kind the one with the lowest. For the upper
+bound of each call's work see [real_time.md](real_time.md).
 
 ## Alternatives that are slower than rme
 
 {ratio_table(other_rows, faster=False)}
 
-A published estimate is made once in an event, when the caches contain other data. So the first pass of its network counts; "again" is
-a second pass right after it. TorchScript's first 200 calls, in which it optimises itself, do not count. TorchScript links to whichever
-BLAS the system has: Debian's default is the reference BLAS, OpenBLAS is the package libopenblas0.
+A published estimate is made once in an event, when the caches contain other data. The relevant time is therefore that of the
+network's first pass; "again" is a second pass right after it. TorchScript optimises itself in its first 200 calls, which are
+not counted. TorchScript uses the BLAS that the system provides: Debian's default is the reference BLAS, OpenBLAS is the package
+libopenblas0.
 
 ## Alternatives that are faster than rme
 
@@ -359,8 +360,8 @@ BLAS the system has: Debian's default is the reference BLAS, OpenBLAS is the pac
 {chr(10).join(f"| compiling {name} alone | {value:.2f} s |" for name, value in seconds.items())}
 {chr(10).join(f"| object code of {name} | {value / 1024:.0f} KiB |" for name, value in sizes.items())}
 
-CPU time of `g++ {' '.join(FLAGS)} -c` for a file with nothing else in it, by `compile_times()` of
-`tests/benchmarks/report.py`; the size is that of machine code and constants, by `size`.
+The times are CPU times of `g++ {' '.join(FLAGS)} -c` for a file with nothing else in it, measured by `compile_times()`
+of `tests/benchmarks/report.py`. The sizes are those of machine code and constants, measured by `size`.
 
 ## All measurements
 

@@ -30,7 +30,7 @@ Residuals kkt_residuals(const Matrix& Q, const Vector& x_u, const Vector& x,
 bool enumerate_active_sets(const Matrix& Q, const Vector& x_u, const std::vector<Constraint>& constraints,
                            Vector& best) {
   const int n = static_cast<int>(x_u.size()), m = static_cast<int>(constraints.size());
-  const Matrix P = Q.inverse();
+  const Matrix P = inverse(Q);
   double best_cost = std::numeric_limits<double>::infinity();
   for (unsigned set = 0; set < (1u << m); ++set) {
     std::vector<int> active;
@@ -49,11 +49,13 @@ bool enumerate_active_sets(const Matrix& Q, const Vector& x_u, const std::vector
         A.row(i) = constraints[static_cast<std::size_t>(active[static_cast<std::size_t>(i)])].a / norm;
         b[i] = constraints[static_cast<std::size_t>(active[static_cast<std::size_t>(i)])].b / norm;
       }
-      const Eigen::FullPivLU<Matrix> lu(A * P * A.transpose());
+      const Eigen::FullPivLU<Matrix> lu(congruence(A, P));
       if (lu.rank() < k) continue;
-      const Vector multipliers = lu.solve(b - A * x_u);
+      const Vector gap = b - A * x_u;
+      const Vector multipliers = lu.solve(gap);
       if (multipliers.minCoeff() < -1e-9 * multipliers.cwiseAbs().maxCoeff()) continue;
-      x += P * A.transpose() * multipliers;
+      const Vector pull = A.transpose() * multipliers;
+      x += P * pull;
     }
     bool feasible = true;
     for (const Constraint& c : constraints) {

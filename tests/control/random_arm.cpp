@@ -1,6 +1,5 @@
 #include "random_arm.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -14,14 +13,16 @@ RandomArm<Dofs, MaxRows>::RandomArm(std::mt19937& random, int axes, int general,
   for (int i = 0; i < 6; ++i) sigma[i] = 0.1 * std::pow(15.0, uniform(random));
   input.jacobian = composed(U, sigma, V);
   pseudo_inverse = composed(V, sigma.cwiseInverse(), U);
-  null_projector = V.rightCols(Dofs - 6) * V.rightCols(Dofs - 6).transpose();
+  null_projector = square(V.rightCols(Dofs - 6));
 
   const Matrix samples = random_matrix(random, Dofs, 3 * Dofs);
-  const Matrix covariance = samples * samples.transpose();
+  const Matrix covariance = square(samples);
   const double inertia[] = {1.0, 1.4, 0.8, 0.9, 0.04, 0.03, 0.005};
   Vector scale(Dofs);
   for (int j = 0; j < Dofs; ++j) scale[j] = std::sqrt(inertia[j + 7 - Dofs] / covariance(j, j));
-  input.mass_matrix = scale.asDiagonal() * covariance * scale.asDiagonal();
+  for (int i = 0; i < Dofs; ++i) {
+    for (int j = 0; j < Dofs; ++j) input.mass_matrix(i, j) = scale[i] * covariance(i, j) * scale[j];
+  }
   input.bias = 10 * random_matrix(random, Dofs, 1);
   input.null_torque = 3 * random_matrix(random, Dofs, 1);
   for (int j = 0; j < Dofs; ++j) torque_limit[j] = j < 4 ? 87 : 12;
@@ -43,23 +44,25 @@ RandomArm<Dofs, MaxRows>::RandomArm(std::mt19937& random, int axes, int general,
 }
 
 template <int Dofs, int MaxRows>
-Eigen::Matrix<double, Dofs, Dofs> RandomArm<Dofs, MaxRows>::hessian(double eps, double moment_arm) const {
-  Eigen::Matrix<double, Dofs, 6> weighted = pseudo_inverse;
-  weighted.template rightCols<3>() /= moment_arm;
-  return 2 * (weighted * weighted.transpose() + eps * null_projector);
+Matrix RandomArm<Dofs, MaxRows>::hessian(double eps, double moment_arm) const {
+  Matrix weighted = pseudo_inverse;
+  weighted.rightCols(3) /= moment_arm;
+  return 2 * (square(weighted) + eps * null_projector);
 }
 
 template <int Dofs, int MaxRows>
 Vector RandomArm<Dofs, MaxRows>::unconstrained() const {
-  return input.jacobian.transpose() * input.wrench.vector() + null_projector * input.null_torque;
+  return product(transposed(input.jacobian), input.wrench.vector()) + product(null_projector, input.null_torque);
 }
 
 template <int Dofs, int MaxRows>
 std::vector<Constraint> RandomArm<Dofs, MaxRows>::constraints(const rme::Cpic<double, Dofs>& cpic) const {
   std::vector<Constraint> all;
-  const Eigen::LDLT<Matrix> inertia(input.mass_matrix);
+  Matrix gradients(Dofs, rows.size());
+  for (int i = 0; i < rows.size(); ++i) gradients.col(i) = rows[i].a;
+  const Matrix columns = solve(input.mass_matrix, gradients);  // of A^T
   for (int i = 0; i < rows.size(); ++i) {
-    const Vector a = inertia.solve(rows[i].a);
+    const Vector a = columns.col(i);
     const double shift = a.dot(input.bias), l = cpic.multiplier(i);
     all.push_back({a, rows[i].lower + shift, std::max(l, 0.0)});
     if (rows[i].upper < rows.kFree) all.push_back({-a, -rows[i].upper - shift, std::max(-l, 0.0)});

@@ -10,8 +10,8 @@ namespace oracle {
 /// m^2. The rows are those of joint limits (two-sided) and of random gradients, and a torque that keeps them exists.
 template <int Dofs, int MaxRows>
 struct RandomArm {
-  Eigen::Matrix<double, Dofs, 6> pseudo_inverse;     // J^+
-  Eigen::Matrix<double, Dofs, Dofs> null_projector;  // N
+  Eigen::Matrix<double, Dofs, 6> pseudo_inverse;  // J^+
+  Matrix null_projector;                          // N, Dofs x Dofs
   rme::CpicInput<double, Dofs> input;
   rme::ConstraintRows<double, Dofs, MaxRows> rows;
   rme::JointVector<double, Dofs> torque_limit;
@@ -22,7 +22,7 @@ struct RandomArm {
   RandomArm(std::mt19937& random, int axes, int general, double tightness);
 
   /// Q = 2 (J^+ W^2 J^+T + eps N), where W weighs moments by 1 / l
-  Eigen::Matrix<double, Dofs, Dofs> hessian(double eps, double moment_arm = 1) const;
+  Matrix hessian(double eps, double moment_arm = 1) const;
   /// J^T F_c + N tau_0
   Vector unconstrained() const;
   /// The rows as the paper writes them, A tau >= v with A = grad^T M^-1 and v = bound + A h, with a controller's

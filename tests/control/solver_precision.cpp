@@ -9,11 +9,11 @@
 #include <cmath>
 #include <cstdio>
 #include <random>
-#include <rme/control/cpic.hpp>
 #include <synthetic_arm/panda.hpp>
 
 #include "io/program.hpp"
 #include "random_arm.hpp"
+#include "solvers.hpp"
 
 namespace {
 

@@ -33,9 +33,9 @@ TEST_CASE("Task-space barriers: gradient and curvature are those of h along the 
     const auto barriers = [&](const Vector7& at, const Vector7& rate) {
       const auto point = flange_motion(at, rate);
       return std::array<rme::BarrierValue<double, 7>, 3>{
-          rme::half_space<double, 7>(point, normal, 0.2),
-          rme::sphere<double, 7>(point, center, 0.3, rme::SphereSide::Outside),
-          rme::sphere<double, 7>(point, center, 0.9, rme::SphereSide::Inside)};
+          rme::half_space_barrier<double, 7>(point, normal, 0.2),
+          rme::sphere_barrier<double, 7>(point, center, 0.3, rme::SphereSide::Outside),
+          rme::sphere_barrier<double, 7>(point, center, 0.9, rme::SphereSide::Inside)};
     };
     const double t = 1e-4;
     const auto now = barriers(q, dq);
@@ -57,13 +57,13 @@ TEST_CASE("Spheres and planes: h is positive where the point may be, and the dis
   const Eigen::Vector3d center(1, 1, 1);
   const auto at = [&](double distance, rme::SphereSide side) {
     point.position = center + (0.5 + distance) * Eigen::Vector3d(2, -1, 2) / 3;
-    return rme::sphere<double, 7>(point, center, 0.5, side).h;
+    return rme::sphere_barrier<double, 7>(point, center, 0.5, side).h;
   };
   CHECK(at(1e-4, rme::SphereSide::Outside) == Approx(1e-4).epsilon(1e-3));
   CHECK(at(-1e-4, rme::SphereSide::Outside) == Approx(-1e-4).epsilon(1e-3));
   CHECK(at(-1e-4, rme::SphereSide::Inside) == Approx(1e-4).epsilon(1e-3));
   point.position = {0.1, 0.2, 0.7};
-  CHECK(rme::half_space<double, 7>(point, Eigen::Vector3d::UnitZ(), 0.4).h == Approx(0.3));
+  CHECK(rme::half_space_barrier<double, 7>(point, Eigen::Vector3d::UnitZ(), 0.4).h == Approx(0.3));
 }
 
 TEST_CASE("add_barrier: the bound is -k1 h - k2 grad_h dq - dq hess_h dq with gains from the poles", "[barriers]") {
@@ -264,6 +264,9 @@ TEST_CASE("PredictionErrorWatch: bounds what it has seen, each sign for itself, 
   CHECK(watch.error().below[1] == Approx(6 * std::exp(-1)));
   CHECK(watch.observe(Two(0, std::nan(""))) == rme::Status::NonFiniteInput);
   CHECK(watch.error().below[1] == Approx(6 * std::exp(-1)));
+  watch.predict(Two(0, 0));  // of a tick whose velocity was refused: there is none to compare the next one with
+  REQUIRE(watch.observe(Two(0.02, 0)) == rme::Status::Ok);
+  CHECK(watch.error().above[0] == Approx(1 + 3 * std::exp(-1.1)));
   config.memory = 0;
   CHECK_THROWS_WITH((rme::PredictionErrorWatch<double, 2>(1e-3, config)), contains("PredictionErrorConfig::memory"));
   config = {};
@@ -273,11 +276,11 @@ TEST_CASE("PredictionErrorWatch: bounds what it has seen, each sign for itself, 
 
 TEST_CASE("Spheres: at the centre of one to be left there is no way out, and a status says so", "[barriers]") {
   rme::PointMotion<double, 7> point = flange_motion(panda().ready, Vector7::Zero());
-  const auto inside = rme::sphere<double, 7>(point, point.position, 0.3, rme::SphereSide::Outside);
+  const auto inside = rme::sphere_barrier<double, 7>(point, point.position, 0.3, rme::SphereSide::Outside);
   rme::ConstraintRows<double, 7, 4> rows;
   CHECK(rme::add_barrier(inside, Vector7(Vector7::Zero()), {2.0, 5.0}, rows) == rme::Status::Infeasible);
   CHECK(rows.size() == 0);
-  const auto kept = rme::sphere<double, 7>(point, point.position, 0.3, rme::SphereSide::Inside);
+  const auto kept = rme::sphere_barrier<double, 7>(point, point.position, 0.3, rme::SphereSide::Inside);
   CHECK(rme::add_barrier(kept, Vector7(Vector7::Zero()), {2.0, 5.0}, rows) == rme::Status::Ok);
 }
 

@@ -1,8 +1,8 @@
 #include <cstdio>
-#include <rme/control/cpic.hpp>
 
 #include "one_active_row.hpp"
 #include "random_arm.hpp"
+#include "solvers.hpp"
 #include "support/catch.hpp"
 
 namespace {

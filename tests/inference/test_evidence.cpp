@@ -2,9 +2,9 @@
 #include <limits>
 #include <rme/inference/evidence.hpp>
 
+#include "inference/likelihoods.hpp"
 #include "support/catch.hpp"
 #include "support/linear_algebra.hpp"
-#include "support/random_events.hpp"
 
 namespace {
 
@@ -61,9 +61,7 @@ TEST_CASE("push_log_evidence: equals the density under the full covariance of al
       Joints joints;
       REQUIRE(event.statistics.marginals(event.precision, event.nuisance, joints) == Status::Ok);
       REQUIRE(rme::push_log_evidence<double, kDofs>(joints, payload, J, prior, push) == Status::Ok);
-      rme::PayloadLikelihood<double> likelihood;
-      REQUIRE(event.statistics.likelihood(event.precision, event.nuisance, likelihood) == Status::Ok);
-      const double still = rme::payload_log_evidence(likelihood, payload);
+      const double still = rme::payload_log_evidence(rme::testing::likelihood_of(event), payload);
       const double dense_push = dense_log_density(event, payload, J, variance.asDiagonal());
       const double dense_still = dense_log_density(event, payload, J, Eigen::Matrix<double, 6, 6>::Zero());
       // Sums of squares of up to 1e5 with 1e-16 of rounding, through matrices of condition 1e6.

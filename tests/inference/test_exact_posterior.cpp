@@ -5,12 +5,13 @@
 #include <rme/inference/variational_inference.hpp>
 #include <vector>
 
+#include "inference/likelihoods.hpp"
 #include "support/catch.hpp"
-#include "support/random_events.hpp"
 
 namespace {
 
 using rme::Status;
+using rme::testing::likelihood_of;
 using rme::testing::random_event;
 using rme::testing::wide_prior;
 
@@ -21,10 +22,7 @@ TEST_CASE("exact_posterior: moments and evidence are those of a dense four-dimen
   for (int k = 0; k < 3; ++k) {
     CAPTURE(k);
     const auto event = random_event(random, 3);  // few samples: wide, skewed posteriors
-    rme::PayloadLikelihood<double> likelihood;
-    auto precision = event.precision;
-    precision *= 0.0005;
-    REQUIRE(event.statistics.likelihood(precision, event.nuisance, likelihood) == Status::Ok);
+    const auto likelihood = likelihood_of(event, 0.0005 * event.precision);
     auto prior = wide_prior();
     if (k == 2) {  // heavy things are long, and stick out sideways
       const Eigen::Vector4d direction(0.6, 0.02, -0.03, 0.04);
@@ -135,7 +133,7 @@ TEST_CASE("exact_posterior: a mass that the prior all but excludes is found", "[
     rme::ExactPosterior<double> exact;
     rme::InferenceResult<double> vi;
     REQUIRE(rme::exact_posterior(l, prior, exact) == Status::Ok);
-    REQUIRE(rme::infer(l, prior, vi) == Status::Ok);
+    REQUIRE(rme::infer_payload(l, prior, vi) == Status::Ok);
     // The data are sharp, so that the posterior is close to Gaussian.
     CHECK(std::abs(exact.posterior.mean[0] - vi.posterior.mean[0]) < 0.05 * vi.posterior.standard_deviation()[0]);
     CHECK(exact.log_evidence >= vi.log_evidence - 1e-6);
@@ -171,8 +169,7 @@ TEST_CASE("exact_posterior: both modes count where a light payload far out canno
 TEST_CASE("exact_posterior: with the mass known it is the linear-Gaussian posterior of the centre of mass", "[exact]") {
   std::mt19937_64 random(41);
   const auto event = random_event(random);
-  rme::PayloadLikelihood<double> l;
-  REQUIRE(event.statistics.likelihood(event.precision, event.nuisance, l) == Status::Ok);
+  const auto l = likelihood_of(event);
   const double m = event.truth[0];
   const auto prior = rme::PayloadGaussian<double>::independent({m, 0, 0, 0.1}, {1e-9, 0.05, 0.05, 0.06});
   rme::ExactPosterior<double> exact;
@@ -185,19 +182,17 @@ TEST_CASE("exact_posterior: with the mass known it is the linear-Gaussian poster
   CHECK(exact.posterior.mean[0] == Approx(m).margin(1e-9));
 }
 
-TEST_CASE("infer: the ELBO bounds the exact log evidence from below, and closely", "[exact][vi]") {
+TEST_CASE("infer_payload: the ELBO bounds the exact log evidence from below, and closely", "[exact][vi]") {
   const unsigned seed = 42;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
   for (int k = 0; k < 200; ++k) {
     CAPTURE(k);
-    const auto event = random_event(random, 20);
-    rme::PayloadLikelihood<double> l;
-    REQUIRE(event.statistics.likelihood(event.precision, event.nuisance, l) == Status::Ok);
+    const auto l = likelihood_of(random_event(random, 20));
     rme::ExactPosterior<double> exact;
     rme::InferenceResult<double> vi;
     REQUIRE(rme::exact_posterior(l, wide_prior(), exact) == Status::Ok);
-    REQUIRE(rme::infer(l, wide_prior(), vi) == Status::Ok);
+    REQUIRE(rme::infer_payload(l, wide_prior(), vi) == Status::Ok);
     const double gap = exact.log_evidence - vi.log_evidence;
     CHECK(gap > -1e-6);
     CHECK(gap < 0.3);

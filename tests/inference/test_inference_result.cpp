@@ -7,13 +7,16 @@
 #include <rme/inference/stochastic_vi.hpp>
 #include <rme/inference/variational_inference.hpp>
 
+#include "inference/likelihoods.hpp"
+#include "published/pipelines.hpp"
 #include "support/allocation_count.hpp"
 #include "support/catch.hpp"
-#include "support/random_events.hpp"
 
 namespace {
 
 using rme::Status;
+using rme::testing::in_float;
+using rme::testing::likelihood_of;
 using rme::testing::random_event;
 using rme::testing::wide_prior;
 
@@ -26,22 +29,19 @@ struct Results {
 template <typename Scalar>
 Results<Scalar> ask(const rme::PayloadLikelihood<Scalar>& likelihood, const rme::PayloadGaussian<Scalar>& prior,
                     std::mt19937_64& random) {
-  static_assert(noexcept(rme::infer(likelihood, prior, std::declval<rme::InferenceResult<Scalar>&>())), "");
+  static_assert(noexcept(rme::infer_payload(likelihood, prior, std::declval<rme::InferenceResult<Scalar>&>())), "");
   Results<Scalar> r;
-  bool usable = rme::infer(likelihood, prior, r.exact, rme::ExactQuadrature()) == Status::Ok;
-  usable = rme::infer(likelihood, prior, r.full, rme::VariationalInferenceConfig()) == Status::Ok && usable;
-  usable = rme::infer(likelihood, prior, r.mean_field, rme::MeanFieldConfig()) == Status::Ok && usable;
-  const Status status = rme::infer(likelihood, prior, r.stochastic, rme::StochasticViConfig(), random);
+  bool usable = rme::infer_payload(likelihood, prior, r.exact, rme::ExactQuadrature()) == Status::Ok;
+  usable = rme::infer_payload(likelihood, prior, r.full, rme::VariationalInferenceConfig()) == Status::Ok && usable;
+  usable = rme::infer_payload(likelihood, prior, r.mean_field, rme::MeanFieldConfig()) == Status::Ok && usable;
+  const Status status = rme::infer_payload(likelihood, prior, r.stochastic, rme::StochasticViConfig(), random);
   usable = (status == Status::Ok || status == Status::NotConverged) && usable;
   if (!usable) r.exact.iterations = 0;  // no REQUIRE here: it allocates
   return r;
 }
 
 rme::PayloadLikelihood<double> random_likelihood(std::mt19937_64& random) {
-  const auto event = random_event(random, 20);
-  rme::PayloadLikelihood<double> likelihood;
-  REQUIRE(event.statistics.likelihood(event.precision, event.nuisance, likelihood) == Status::Ok);
-  return likelihood;
+  return likelihood_of(random_event(random, 20));
 }
 
 TEST_CASE("Solvers: each family's bound lies below that of the family that contains it", "[solvers]") {
@@ -91,12 +91,8 @@ TEST_CASE("Solvers: in float, quadrature and mean field agree with double to 2 %
   for (int k = 0; k < 200; ++k) {
     CAPTURE(k);
     const auto l = random_likelihood(random);
-    rme::PayloadLikelihood<float> lf;
-    lf.yy = float(l.yy), lf.ya = float(l.ya), lf.aa = float(l.aa);
-    lf.yB = l.yB.cast<float>(), lf.aB = l.aB.cast<float>(), lf.BB = l.BB.cast<float>();
-    const rme::PayloadGaussian<float> prior{wide_prior().mean.cast<float>(), wide_prior().covariance.cast<float>()};
     const auto d = ask(l, wide_prior(), random);
-    const auto f = ask(lf, prior, random);
+    const auto f = ask(in_float(l), in_float(wide_prior()), random);
     REQUIRE(d.exact.iterations > 0);
     REQUIRE(f.exact.iterations > 0);
     const auto agree = [](const auto& a, const auto& b) {

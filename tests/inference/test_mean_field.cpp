@@ -3,9 +3,9 @@
 #include <random>
 #include <rme/inference/mean_field.hpp>
 
+#include "inference/likelihoods.hpp"
 #include "support/catch.hpp"
 #include "support/linear_algebra.hpp"
-#include "support/random_events.hpp"
 
 namespace {
 
@@ -21,10 +21,7 @@ using Matrix8 = Eigen::Matrix<double, 8, 8>;
 /// Every other one says little, so that its posterior is wide.
 Likelihood random_likelihood(std::mt19937_64& random, int k) {
   const auto event = random_event(random, k % 2 == 0 ? 50 : 3, k % 3 == 0);
-  Likelihood likelihood;
-  const rme::JointVector<double, 7> precision = (k % 2 == 0 ? 1 : 0.0005) * event.precision;
-  REQUIRE(event.statistics.likelihood(precision, event.nuisance, likelihood) == Status::Ok);
-  return likelihood;
+  return rme::testing::likelihood_of(event, (k % 2 == 0 ? 1 : 0.0005) * event.precision);
 }
 
 /// As wide as wide_prior(), its entries correlated.
@@ -96,7 +93,7 @@ Vector8 climb(const Likelihood& likelihood, const Prior& prior) {
   return x;
 }
 
-TEST_CASE("infer: the mean field is the diagonal Gaussian that a brute-force search of the ELBO finds",
+TEST_CASE("infer_payload: the mean field is the diagonal Gaussian that a brute-force search of the ELBO finds",
           "[mean_field]") {
   const unsigned seed = 60;
   CAPTURE(seed);
@@ -108,7 +105,7 @@ TEST_CASE("infer: the mean field is the diagonal Gaussian that a brute-force sea
     Result found;
     rme::MeanFieldConfig config;
     config.tolerance = 1e-7;
-    REQUIRE(rme::infer(likelihood, prior, found, config) == Status::Ok);
+    REQUIRE(rme::infer_payload(likelihood, prior, found, config) == Status::Ok);
     const Vector8 best = climb(likelihood, prior);
     const Eigen::Array4d sd = best.tail<4>().array().exp();
     CHECK(((found.posterior.mean - best.head<4>()).array().abs() / sd).maxCoeff() < 1e-3);
@@ -118,7 +115,7 @@ TEST_CASE("infer: the mean field is the diagonal Gaussian that a brute-force sea
   }
 }
 
-TEST_CASE("infer: the mean field's ELBO does not fall when more iterations are allowed", "[mean_field]") {
+TEST_CASE("infer_payload: the mean field's ELBO does not fall when more iterations are allowed", "[mean_field]") {
   const unsigned seed = 61;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
@@ -132,7 +129,7 @@ TEST_CASE("infer: the mean field's ELBO does not fall when more iterations are a
       Result found;
       rme::MeanFieldConfig config;
       config.max_iterations = iterations;
-      const Status status = rme::infer(likelihood, prior, found, config);
+      const Status status = rme::infer_payload(likelihood, prior, found, config);
       REQUIRE((status == Status::Ok || status == Status::NotConverged));
       REQUIRE(found.log_evidence >= last - 1e-9 * std::abs(last));
       last = found.log_evidence;
@@ -140,7 +137,7 @@ TEST_CASE("infer: the mean field's ELBO does not fall when more iterations are a
   }
 }
 
-TEST_CASE("infer: the mean field settles in a few sweeps where one mean at a time takes five times as many",
+TEST_CASE("infer_payload: the mean field settles in a few sweeps where one mean at a time takes five times as many",
           "[mean_field]") {
   const unsigned seed = 62;
   CAPTURE(seed);
@@ -151,7 +148,7 @@ TEST_CASE("infer: the mean field settles in a few sweeps where one mean at a tim
     const Likelihood l = random_likelihood(random, 0);
     const Prior prior = wide_prior();
     Result found;
-    REQUIRE(rme::infer(l, prior, found, rme::MeanFieldConfig()) == Status::Ok);
+    REQUIRE(rme::infer_payload(l, prior, found, rme::MeanFieldConfig()) == Status::Ok);
     together += found.iterations;
     most = std::max(most, found.iterations);
     // Plain coordinate ascent, each of the eight parameters set to its optimum given the others.
@@ -178,33 +175,34 @@ TEST_CASE("infer: the mean field settles in a few sweeps where one mean at a tim
   CHECK(in_turn > 5 * together);
 }
 
-TEST_CASE("infer: without data the mean field keeps the prior's means and its conditional variances", "[mean_field]") {
+TEST_CASE("infer_payload: without data the mean field keeps the prior's means and its conditional variances",
+          "[mean_field]") {
   // KL(q || p) of two Gaussians, q diagonal, is least where 1 / v_i is the diagonal of p's precision.
   const unsigned seed = 63;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
   const Prior prior = correlated_prior(random);
   Result found;
-  REQUIRE(rme::infer(Likelihood(), prior, found, rme::MeanFieldConfig()) == Status::Ok);
+  REQUIRE(rme::infer_payload(Likelihood(), prior, found, rme::MeanFieldConfig()) == Status::Ok);
   CHECK((found.posterior.mean - prior.mean).norm() < 1e-12);
   const Eigen::Vector4d variance = prior.covariance.inverse().diagonal().cwiseInverse();
   CHECK((found.posterior.covariance.diagonal() - variance).cwiseQuotient(variance).norm() < 1e-12);
-  REQUIRE(rme::infer(Likelihood(), wide_prior(), found, rme::MeanFieldConfig()) == Status::Ok);
+  REQUIRE(rme::infer_payload(Likelihood(), wide_prior(), found, rme::MeanFieldConfig()) == Status::Ok);
   CHECK(std::abs(found.log_evidence) < 1e-12);  // q is the prior, and no data is no evidence
 }
 
-TEST_CASE("infer: bad input to the mean field is named and leaves the result as it was", "[mean_field]") {
+TEST_CASE("infer_payload: bad input to the mean field is named and leaves the result as it was", "[mean_field]") {
   Result found;
   found.iterations = 77;
   Likelihood likelihood;
   likelihood.BB(1, 2) = std::nan("");
-  CHECK(rme::infer(likelihood, wide_prior(), found, rme::MeanFieldConfig()) == Status::NonFiniteInput);
+  CHECK(rme::infer_payload(likelihood, wide_prior(), found, rme::MeanFieldConfig()) == Status::NonFiniteInput);
   auto prior = wide_prior();
   prior.covariance(2, 2) = -1;
-  CHECK(rme::infer(Likelihood(), prior, found, rme::MeanFieldConfig()) == Status::NotPositiveDefinite);
+  CHECK(rme::infer_payload(Likelihood(), prior, found, rme::MeanFieldConfig()) == Status::NotPositiveDefinite);
   prior = wide_prior();
   prior.mean[0] = std::numeric_limits<double>::infinity();
-  CHECK(rme::infer(Likelihood(), prior, found, rme::MeanFieldConfig()) == Status::NonFiniteInput);
+  CHECK(rme::infer_payload(Likelihood(), prior, found, rme::MeanFieldConfig()) == Status::NonFiniteInput);
   CHECK(found.iterations == 77);
 }
 

@@ -4,8 +4,8 @@
 #include <rme/inference/mean_field.hpp>
 #include <rme/inference/stochastic_vi.hpp>
 
+#include "inference/likelihoods.hpp"
 #include "support/catch.hpp"
-#include "support/random_events.hpp"
 
 namespace {
 
@@ -18,10 +18,7 @@ using Result = rme::InferenceResult<double>;
 
 Likelihood random_likelihood(std::mt19937_64& random) {
   const auto event = random_event(random, 20);
-  Likelihood likelihood;
-  const rme::JointVector<double, 7> precision = 0.01 * event.precision;  // a posterior of some 30 g and 1 cm
-  REQUIRE(event.statistics.likelihood(precision, event.nuisance, likelihood) == Status::Ok);
-  return likelihood;
+  return rme::testing::likelihood_of(event, 0.01 * event.precision);  // a posterior of some 30 g and 1 cm
 }
 
 /// Small steps and many of them, unbiased: to the optimum, wherever that is.
@@ -35,7 +32,7 @@ rme::StochasticViConfig patient() {
   return config;
 }
 
-TEST_CASE("infer: a long run of stochastic VI finds the mean field's closed form", "[stochastic_vi]") {
+TEST_CASE("infer_payload: a long run of stochastic VI finds the mean field's closed form", "[stochastic_vi]") {
   // The last iterate wanders about the optimum: by sqrt(rate / 2 sd) standard deviations, with each gradient as noisy
   // as it is large. With deviations above 5 mm that is below 5 %.
   const unsigned seed = 70;
@@ -45,8 +42,8 @@ TEST_CASE("infer: a long run of stochastic VI finds the mean field's closed form
     CAPTURE(k);
     const Likelihood likelihood = random_likelihood(random);
     Result closed, run;
-    REQUIRE(rme::infer(likelihood, wide_prior(), closed, rme::MeanFieldConfig()) == Status::Ok);
-    REQUIRE(rme::infer(likelihood, wide_prior(), run, patient(), random) == Status::NotConverged);
+    REQUIRE(rme::infer_payload(likelihood, wide_prior(), closed, rme::MeanFieldConfig()) == Status::Ok);
+    REQUIRE(rme::infer_payload(likelihood, wide_prior(), run, patient(), random) == Status::NotConverged);
     const Eigen::Array4d sd = closed.posterior.standard_deviation();
     CHECK(((run.posterior.mean - closed.posterior.mean).array().abs() / sd).maxCoeff() < 0.15);
     CHECK((run.posterior.standard_deviation().array() / sd - 1).abs().maxCoeff() < 0.05);
@@ -54,7 +51,8 @@ TEST_CASE("infer: a long run of stochastic VI finds the mean field's closed form
   }
 }
 
-TEST_CASE("infer: stochastic VI takes any likelihood, here a linear one with a known posterior", "[stochastic_vi]") {
+TEST_CASE("infer_payload: stochastic VI takes any likelihood, here a linear one with a known posterior",
+          "[stochastic_vi]") {
   // y = A theta + e, e ~ N(0, 1): the posterior's precision is P = A^T A + P0, its mean P^-1 (A^T y + P0 mu0). The best
   // diagonal q has that mean and the variances 1 / P_ii.
   const unsigned seed = 71;
@@ -72,7 +70,7 @@ TEST_CASE("infer: stochastic VI takes any likelihood, here a linear one with a k
     return -0.5 * e.squaredNorm();
   };
   Result run;
-  REQUIRE(rme::infer(log_likelihood, prior, run, patient(), random) == Status::NotConverged);
+  REQUIRE(rme::infer_payload(log_likelihood, prior, run, patient(), random) == Status::NotConverged);
   const Eigen::Matrix4d P = A.transpose() * A + P0;
   const Eigen::Vector4d mean = P.inverse() * (A.transpose() * y + P0 * prior.mean);
   const Eigen::Array4d sd = P.diagonal().cwiseInverse().cwiseSqrt();
@@ -80,7 +78,7 @@ TEST_CASE("infer: stochastic VI takes any likelihood, here a linear one with a k
   CHECK((run.posterior.standard_deviation().array() / sd - 1).abs().maxCoeff() < 0.05);
 }
 
-TEST_CASE("infer: stochastic VI is Adam as its paper prints it, on the clipped one-sample gradient",
+TEST_CASE("infer_payload: stochastic VI is Adam as its paper prints it, on the clipped one-sample gradient",
           "[stochastic_vi]") {
   // Kingma and Ba, Algorithm 1, in scalars, with the draws in the same order.
   const unsigned seed = 72;
@@ -119,15 +117,16 @@ TEST_CASE("infer: stochastic VI is Adam as its paper prints it, on the clipped o
     }
   }
   Result run;
-  REQUIRE(rme::infer(l, prior, run, config, theirs) == Status::NotConverged);
+  REQUIRE(rme::infer_payload(l, prior, run, config, theirs) == Status::NotConverged);
   for (int i = 0; i < 4; ++i) {
     CHECK(run.posterior.mean[i] == Approx(x[i]).epsilon(1e-6).margin(1e-8));
     CHECK(run.posterior.standard_deviation()[i] == Approx(std::exp(x[4 + i])).epsilon(1e-6));
   }
 }
 
-TEST_CASE("infer: stochastic VI checks from step 700 on, each 10 steps, and stops after two small changes in a row",
-          "[stochastic_vi]") {
+TEST_CASE(
+    "infer_payload: stochastic VI checks from step 700 on, each 10 steps, and stops after two small changes in a row",
+    "[stochastic_vi]") {
   const unsigned seed = 73;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
@@ -135,10 +134,10 @@ TEST_CASE("infer: stochastic VI checks from step 700 on, each 10 steps, and stop
   Result run;
   rme::StochasticViConfig config;
   config.small_change = 1e9;  // whatever happens is small: the checks at 710 and 720 end the run
-  CHECK(rme::infer(likelihood, wide_prior(), run, config, random) == Status::Ok);
+  CHECK(rme::infer_payload(likelihood, wide_prior(), run, config, random) == Status::Ok);
   CHECK(run.iterations == 720);
   config.small_change = 0;
-  CHECK(rme::infer(likelihood, wide_prior(), run, config, random) == Status::NotConverged);
+  CHECK(rme::infer_payload(likelihood, wide_prior(), run, config, random) == Status::NotConverged);
   CHECK(run.iterations == 2500);
   constexpr double kSmall = 0.05;  // about every other change
   // What a run says must follow from its own past: replay it, and look at every tenth step.
@@ -147,7 +146,7 @@ TEST_CASE("infer: stochastic VI checks from step 700 on, each 10 steps, and stop
     CAPTURE(k);
     const std::mt19937_64 start(static_cast<unsigned>(k));
     std::mt19937_64 generator = start;
-    const Status status = rme::infer(likelihood, wide_prior(), run, config, generator);
+    const Status status = rme::infer_payload(likelihood, wide_prior(), run, config, generator);
     int stops_at = 2500, in_a_row = 0;
     using Vector8 = Eigen::Matrix<double, 8, 1>;
     Vector8 before = Vector8::Zero(), now;
@@ -157,7 +156,7 @@ TEST_CASE("infer: stochastic VI checks from step 700 on, each 10 steps, and stop
       part.small_change = 0;
       Result at;
       generator = start;
-      REQUIRE(rme::infer(likelihood, wide_prior(), at, part, generator) == Status::NotConverged);
+      REQUIRE(rme::infer_payload(likelihood, wide_prior(), at, part, generator) == Status::NotConverged);
       now << at.posterior.mean, at.posterior.standard_deviation().array().log().matrix();
       in_a_row = step > 700 && (now - before).norm() < kSmall ? in_a_row + 1 : 0;
       before = now;
@@ -168,7 +167,7 @@ TEST_CASE("infer: stochastic VI checks from step 700 on, each 10 steps, and stop
   }
 }
 
-TEST_CASE("infer: the gradient that stochastic VI climbs along is that of the likelihood", "[stochastic_vi]") {
+TEST_CASE("infer_payload: the gradient that stochastic VI climbs along is that of the likelihood", "[stochastic_vi]") {
   const unsigned seed = 74;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
@@ -188,23 +187,23 @@ TEST_CASE("infer: the gradient that stochastic VI climbs along is that of the li
   }
 }
 
-TEST_CASE("infer: bad input to stochastic VI is named and leaves the result as it was", "[stochastic_vi]") {
+TEST_CASE("infer_payload: bad input to stochastic VI is named and leaves the result as it was", "[stochastic_vi]") {
   std::mt19937_64 random(75);
   Result run;
   run.iterations = 77;
   const rme::StochasticViConfig config;
   Likelihood likelihood;
   likelihood.ya = std::nan("");
-  CHECK(rme::infer(likelihood, wide_prior(), run, config, random) == Status::NonFiniteInput);
+  CHECK(rme::infer_payload(likelihood, wide_prior(), run, config, random) == Status::NonFiniteInput);
   auto prior = wide_prior();
   prior.covariance(3, 3) = 0;
-  CHECK(rme::infer(Likelihood(), prior, run, config, random) == Status::NotPositiveDefinite);
+  CHECK(rme::infer_payload(Likelihood(), prior, run, config, random) == Status::NotPositiveDefinite);
   int calls = 0;
   const auto breaks_down = [&calls](const Eigen::Vector4d&, Eigen::Vector4d& gradient) noexcept {
     gradient.setZero();
     return ++calls < 100 ? 0.0 : std::nan("");
   };
-  CHECK(rme::infer(breaks_down, wide_prior(), run, config, random) == Status::NonFiniteInput);
+  CHECK(rme::infer_payload(breaks_down, wide_prior(), run, config, random) == Status::NonFiniteInput);
   CHECK(calls == 100);
   CHECK(run.iterations == 77);
 }

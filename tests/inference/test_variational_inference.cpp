@@ -1,22 +1,19 @@
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/variational_inference.hpp>
 
+#include "inference/likelihoods.hpp"
 #include "support/catch.hpp"
-#include "support/random_events.hpp"
 
 namespace {
 
 using rme::Status;
+using rme::testing::in_float;
+using rme::testing::likelihood_of;
 using rme::testing::random_event;
 using rme::testing::wide_prior;
 
-rme::PayloadLikelihood<double> likelihood_of(const rme::testing::Event& event) {
-  rme::PayloadLikelihood<double> likelihood;
-  REQUIRE(event.statistics.likelihood(event.precision, event.nuisance, likelihood) == Status::Ok);
-  return likelihood;
-}
-
-TEST_CASE("infer: 10,000 random events agree with the exact posterior wherever that is close to Gaussian", "[vi]") {
+TEST_CASE("infer_payload: 10,000 random events agree with the exact posterior wherever that is close to Gaussian",
+          "[vi]") {
   const unsigned seed = 20;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
@@ -28,7 +25,7 @@ TEST_CASE("infer: 10,000 random events agree with the exact posterior wherever t
     rme::ExactPosterior<double> exact;
     REQUIRE(rme::exact_posterior(likelihood, wide_prior(), exact) == Status::Ok);
     rme::InferenceResult<double> vi;
-    REQUIRE(rme::infer(likelihood, wide_prior(), vi) == Status::Ok);
+    REQUIRE(rme::infer_payload(likelihood, wide_prior(), vi) == Status::Ok);
     // Close to Gaussian, decided without looking at the approximation: the mass's third and fourth moments, which a
     // Gaussian has not, are small, and so is its coefficient of variation, since p(r | m, y) has a covariance that goes
     // with 1/m^2 (a Gaussian's conditional covariance is constant).
@@ -98,7 +95,7 @@ TEST_CASE("ExpectedLogJoint: the expectation is that of 200,000 draws", "[vi]") 
   CHECK(standard_error < 0.01 * std::abs(mean));
 }
 
-TEST_CASE("infer: the ELBO does not fall when more iterations are allowed", "[vi]") {
+TEST_CASE("infer_payload: the ELBO does not fall when more iterations are allowed", "[vi]") {
   const unsigned seed = 23;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
@@ -110,7 +107,7 @@ TEST_CASE("infer: the ELBO does not fall when more iterations are allowed", "[vi
       rme::VariationalInferenceConfig config;
       config.max_iterations = iterations;
       rme::InferenceResult<double> vi;
-      const Status status = rme::infer(likelihood, wide_prior(), vi, config);
+      const Status status = rme::infer_payload(likelihood, wide_prior(), vi, config);
       REQUIRE((status == Status::Ok || status == Status::NotConverged));
       REQUIRE(vi.log_evidence >= last - 1e-9 * std::abs(last));
       last = vi.log_evidence;
@@ -118,7 +115,7 @@ TEST_CASE("infer: the ELBO does not fall when more iterations are allowed", "[vi
   }
 }
 
-TEST_CASE("infer: from the answer to nearly the same data it takes fewer steps to the same answer", "[vi]") {
+TEST_CASE("infer_payload: from the answer to nearly the same data it takes fewer steps to the same answer", "[vi]") {
   const unsigned seed = 25;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
@@ -127,11 +124,11 @@ TEST_CASE("infer: from the answer to nearly the same data it takes fewer steps t
     CAPTURE(k);
     auto event = random_event(random);
     rme::InferenceResult<double> nearby, vi, from_nearby;
-    REQUIRE(rme::infer(likelihood_of(event), wide_prior(), nearby) == Status::Ok);
+    REQUIRE(rme::infer_payload(likelihood_of(event), wide_prior(), nearby) == Status::Ok);
     event.precision /= 2;  // as if the noise were found to be larger
     const auto likelihood = likelihood_of(event);
-    REQUIRE(rme::infer(likelihood, wide_prior(), vi) == Status::Ok);
-    REQUIRE(rme::infer(likelihood, wide_prior(), from_nearby, {}, &nearby.posterior.mean) == Status::Ok);
+    REQUIRE(rme::infer_payload(likelihood, wide_prior(), vi) == Status::Ok);
+    REQUIRE(rme::infer_payload(likelihood, wide_prior(), from_nearby, {}, &nearby.posterior.mean) == Status::Ok);
     const Eigen::Array4d sd = vi.posterior.standard_deviation();
     CHECK(((from_nearby.posterior.mean - vi.posterior.mean).array().abs() / sd).maxCoeff() < 1e-3);
     CHECK((from_nearby.posterior.standard_deviation().array() / sd - 1).abs().maxCoeff() < 1e-3);
@@ -142,44 +139,40 @@ TEST_CASE("infer: from the answer to nearly the same data it takes fewer steps t
   CHECK(3 * steps_from_nearby < 2 * steps);
 }
 
-TEST_CASE("infer: without data the posterior is the prior", "[vi]") {
+TEST_CASE("infer_payload: without data the posterior is the prior", "[vi]") {
   rme::InferenceResult<double> vi;
-  REQUIRE(rme::infer(rme::PayloadLikelihood<double>(), wide_prior(), vi) == Status::Ok);
+  REQUIRE(rme::infer_payload(rme::PayloadLikelihood<double>(), wide_prior(), vi) == Status::Ok);
   CHECK((vi.posterior.mean - wide_prior().mean).norm() < 1e-12);
   CHECK((vi.posterior.covariance - wide_prior().covariance).norm() < 1e-12);
 }
 
-TEST_CASE("infer: float agrees with double to its precision", "[vi]") {
+TEST_CASE("infer_payload: float agrees with double to its precision", "[vi]") {
   const unsigned seed = 24;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
   for (int k = 0; k < 500; ++k) {
     CAPTURE(k);
     const auto l = likelihood_of(random_event(random));
-    rme::PayloadLikelihood<float> lf;
-    lf.yy = float(l.yy), lf.ya = float(l.ya), lf.aa = float(l.aa);
-    lf.yB = l.yB.cast<float>(), lf.aB = l.aB.cast<float>(), lf.BB = l.BB.cast<float>();
-    const rme::PayloadGaussian<float> prior{wide_prior().mean.cast<float>(), wide_prior().covariance.cast<float>()};
     rme::InferenceResult<double> vi;
     rme::InferenceResult<float> vif;
-    REQUIRE(rme::infer(l, wide_prior(), vi) == Status::Ok);
-    REQUIRE(rme::infer(lf, prior, vif) == Status::Ok);
+    REQUIRE(rme::infer_payload(l, wide_prior(), vi) == Status::Ok);
+    REQUIRE(rme::infer_payload(in_float(l), in_float(wide_prior()), vif) == Status::Ok);
     const Eigen::Array4d sd = vi.posterior.standard_deviation();
     CHECK(((vif.posterior.mean.cast<double>() - vi.posterior.mean).array().abs() / sd).maxCoeff() < 0.01);
   }
 }
 
-TEST_CASE("infer: bad input is named and leaves the result as it was", "[vi]") {
+TEST_CASE("infer_payload: bad input is named and leaves the result as it was", "[vi]") {
   rme::InferenceResult<double> vi;
   vi.iterations = 77;
   rme::PayloadLikelihood<double> likelihood;
   likelihood.aB[1] = std::nan("");
-  CHECK(rme::infer(likelihood, wide_prior(), vi) == Status::NonFiniteInput);
+  CHECK(rme::infer_payload(likelihood, wide_prior(), vi) == Status::NonFiniteInput);
   auto prior = wide_prior();
   prior.covariance(2, 2) = -1;
-  CHECK(rme::infer(rme::PayloadLikelihood<double>(), prior, vi) == Status::NotPositiveDefinite);
+  CHECK(rme::infer_payload(rme::PayloadLikelihood<double>(), prior, vi) == Status::NotPositiveDefinite);
   const Eigen::Vector4d start = {1, 0, std::nan(""), 0};
-  CHECK(rme::infer(rme::PayloadLikelihood<double>(), wide_prior(), vi, {}, &start) == Status::NonFiniteInput);
+  CHECK(rme::infer_payload(rme::PayloadLikelihood<double>(), wide_prior(), vi, {}, &start) == Status::NonFiniteInput);
   CHECK(vi.iterations == 77);
 }
 

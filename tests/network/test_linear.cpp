@@ -22,11 +22,11 @@ TEST_CASE("Linear: gives W x + b for each column", "[linear]") {
   CHECK(y == expected);
 }
 
-TEST_CASE("Linear: compose gives the layer that does one and then the other", "[linear]") {
+TEST_CASE("Linear: compose_layers gives the layer that does one and then the other", "[linear]") {
   rme::Linear<double, 2, 1> outer;
   outer.weight << 3, -1;
   outer.bias << 0.5;
-  const rme::Linear<double, 3, 1> both = rme::compose(outer, example());
+  const rme::Linear<double, 3, 1> both = rme::compose_layers(outer, example());
   // By hand: 3 * (first row) - (second row), 3 * 10 - 20 + 0.5.
   CHECK(both.weight == Eigen::RowVector3d(-1, 1, 3));
   CHECK(both.bias[0] == 10.5);

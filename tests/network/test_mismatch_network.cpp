@@ -1,6 +1,5 @@
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <random>
@@ -49,9 +48,7 @@ Eigen::Vector4d layer_by_layer(const rme::MismatchNetworkWeights<double>& w,
 /// Largest difference from PyTorch's double-precision outputs over the windows of a golden file.
 template <typename Scalar>
 double largest_difference(const rme::MismatchNetworkWeights<double>& exact, const std::string& golden_file) {
-  std::ifstream file(std::string(RME_TEST_DATA) + "/network/" + golden_file);
-  REQUIRE(file.good());
-  const auto golden = nlohmann::json::parse(file);
+  const auto golden = rme::examples::read_json_file(std::string(RME_TEST_DATA) + "/network/" + golden_file);
   const auto outputs = golden.at("outputs").get<std::vector<std::vector<double>>>();
   REQUIRE(outputs.size() == 1000);
 

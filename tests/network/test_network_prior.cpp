@@ -127,6 +127,9 @@ TEST_CASE("NetworkPrior: where the network cannot know, the fixed prior stands",
   SECTION("too few samples since the event") {
     CHECK(is_fixed(light, 199, 100));
   }
+  SECTION("more samples than the window has") {
+    CHECK(is_fixed(light, light.window.size() + 1, 100));
+  }
   SECTION("a load far beyond those of the training") {
     CHECK(is_fixed(heavy, 200, 100));
   }

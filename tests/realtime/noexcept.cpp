@@ -72,7 +72,7 @@ struct Loop {
   // sensing
   using Detector = rme::MismatchDetector<Dofs>;
   using Observer = rme::MomentumObserver<Scalar, Dofs>;
-  static_assert(noexcept(rme::check(a<Tick>())));
+  static_assert(noexcept(rme::check_sample(a<Tick>())));
   static_assert(noexcept(my<Window>().push(a<Tick>())) && noexcept(my<Window>().reset()));
   static_assert(noexcept(a<Window>().newest(1)) && noexcept(a<Window>().size()));
   static_assert(noexcept(my<rme::FrictionDirection<Scalar, Dofs>>().update(a<Vector>(), a<Vector>(), a<Vector3>())));
@@ -105,11 +105,11 @@ struct Loop {
   static_assert(noexcept(a<Statistics>().marginals(a<Vector>(), a<Nuisance>(), my<typename Statistics::Marginals>())));
   static_assert(noexcept(a<Statistics>().likelihood(a<Vector>(), a<Nuisance>(), my<Likelihood>())));
   static_assert(noexcept(a<Statistics>().nuisance_posterior(a<Vector>(), a<Nuisance>(), my<Nuisance>())));
-  static_assert(noexcept(rme::infer(a<Likelihood>(), a<Gaussian>(), my<Result>())));
-  static_assert(noexcept(rme::infer(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::MeanFieldConfig())));
-  static_assert(noexcept(rme::infer(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::ExactQuadrature())));
-  static_assert(noexcept(rme::infer(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::StochasticViConfig(),
-                                    my<std::mt19937_64>())));
+  static_assert(noexcept(rme::infer_payload(a<Likelihood>(), a<Gaussian>(), my<Result>())));
+  static_assert(noexcept(rme::infer_payload(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::MeanFieldConfig())));
+  static_assert(noexcept(rme::infer_payload(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::ExactQuadrature())));
+  static_assert(noexcept(rme::infer_payload(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::StochasticViConfig(),
+                                            my<std::mt19937_64>())));
   static_assert(noexcept(rme::payload_log_evidence(a<Likelihood>(), a<Payload>())));
   static_assert(noexcept(rme::push_log_evidence<Scalar, Dofs>(a<typename Statistics::Marginals>(), a<Payload>(),
                                                               a<Jacobian>(), a<rme::PushPrior>(), my<Scalar>())));
@@ -128,8 +128,9 @@ struct Loop {
   static_assert(noexcept(my<Passive>().update(a<Flow>(), a<Flow>(), a<rme::Twist<Scalar>>())));
   static_assert(noexcept(a<Passive>().wrench()) && noexcept(a<Passive>().potential_energy()));
   static_assert(noexcept(my<Rows>().add(a<Vector>(), Scalar(0))) && noexcept(my<Rows>().add_axis(0, Scalar(0))));
-  static_assert(noexcept(rme::half_space<Scalar, Dofs>(a<Point>(), a<Vector3>(), Scalar(0))));
-  static_assert(noexcept(rme::sphere<Scalar, Dofs>(a<Point>(), a<Vector3>(), Scalar(1), rme::SphereSide::Inside)));
+  static_assert(noexcept(rme::half_space_barrier<Scalar, Dofs>(a<Point>(), a<Vector3>(), Scalar(0))));
+  static_assert(noexcept(rme::sphere_barrier<Scalar, Dofs>(a<Point>(), a<Vector3>(), Scalar(1),
+                                                           rme::SphereSide::Inside)));
   static_assert(noexcept(rme::add_barrier(a<rme::BarrierValue<Scalar, Dofs>>(), a<Vector>(),
                                           a<rme::BarrierPoles<Scalar>>(), my<Rows>())));
   static_assert(noexcept(a<rme::JointLimits<Scalar, Dofs>>().append(a<Vector>(), a<Vector>(), my<Rows>())));

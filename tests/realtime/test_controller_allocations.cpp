@@ -67,8 +67,9 @@ TEST_CASE("Allocations: none in the controller, feasible or not", "[realtime]") 
       if (i % 3 == 0) {
         const rme::BarrierPoles<double> poles(8, 40);
         refused += limits.append(q, dq, rows) != Status::Ok;
-        const auto wall = rme::half_space<double, 7>(point, Eigen::Vector3d::UnitZ(), 0.39);
-        const auto ball = rme::sphere<double, 7>(point, Eigen::Vector3d::UnitX(), 0.5, rme::SphereSide::Outside);
+        const auto wall = rme::half_space_barrier<double, 7>(point, Eigen::Vector3d::UnitZ(), 0.39);
+        const auto ball =
+            rme::sphere_barrier<double, 7>(point, Eigen::Vector3d::UnitX(), 0.5, rme::SphereSide::Outside);
         refused += rme::add_barrier(wall, dq, poles, rows) != Status::Ok;
         refused += rme::add_barrier(ball, dq, poles, rows, 100.0) != Status::Ok;
         input.wrench = passive.wrench();

@@ -137,7 +137,7 @@ TEST_CASE("Allocations: none in the building blocks: window, detector, network p
       rme::InferenceResult<double> result;
       const auto precision = sensor.precision(kPeriod);
       if (sums.likelihood(precision, sensor.prior(), likelihood) == Status::Ok)
-        inferred += rme::infer(likelihood, prior, result) == Status::Ok;
+        inferred += rme::infer_payload(likelihood, prior, result) == Status::Ok;
       Statistics::Marginals marginals;
       double log_evidence = 0;
       if (sums.marginals(precision, sensor.prior(), marginals) == Status::Ok &&

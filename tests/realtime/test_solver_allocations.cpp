@@ -38,13 +38,13 @@ TEST_CASE("Allocations: none in the four solvers and the published likelihood", 
   int solved = 0;
   const int count = allocations_of([&] {
     solved += rme::published_likelihood<double, 7>(90, observation, likelihood) == Status::Ok;
-    solved += rme::infer(likelihood, prior, result, rme::VariationalInferenceConfig()) == Status::Ok;
+    solved += rme::infer_payload(likelihood, prior, result, rme::VariationalInferenceConfig()) == Status::Ok;
     mass[0] = result.posterior.mean[0];
-    solved += rme::infer(likelihood, prior, result, rme::MeanFieldConfig()) == Status::Ok;
+    solved += rme::infer_payload(likelihood, prior, result, rme::MeanFieldConfig()) == Status::Ok;
     mass[1] = result.posterior.mean[0];
-    solved += rme::infer(likelihood, prior, result, rme::ExactQuadrature()) == Status::Ok;
+    solved += rme::infer_payload(likelihood, prior, result, rme::ExactQuadrature()) == Status::Ok;
     mass[2] = result.posterior.mean[0];
-    const Status stochastic = rme::infer(likelihood, prior, result, rme::StochasticViConfig(), random);
+    const Status stochastic = rme::infer_payload(likelihood, prior, result, rme::StochasticViConfig(), random);
     solved += stochastic == Status::Ok || stochastic == Status::NotConverged;
     mass[3] = result.posterior.mean[0];
   });

@@ -255,8 +255,9 @@ struct Barrier final : LoopCall<Rows, BarrierInput> {
   Status call(Rows& rows, const BarrierInput& in) const override {
     const rme::PointMotion<double, 7> point = {in.position, in.velocity, in.jacobian, in.velocity_product};
     const rme::BarrierPoles<double> poles(8, 40);
-    const auto barrier = rows.size() % 2 == 0 ? rme::half_space<double, 7>(point, in.normal, in.offset)
-                                              : rme::sphere<double, 7>(point, in.center, 0.3, rme::SphereSide::Outside);
+    const auto barrier = rows.size() % 2 == 0
+                             ? rme::half_space_barrier<double, 7>(point, in.normal, in.offset)
+                             : rme::sphere_barrier<double, 7>(point, in.center, 0.3, rme::SphereSide::Outside);
     const Status status = add_barrier(barrier, in.dq, poles, rows, rows.size() % 3 == 0 ? 10.0 : Rows::kHard);
     if (rows.size() > 20) rows.clear();
     return status;

@@ -22,19 +22,19 @@ Sample7<Scalar> good_sample() {
 }
 
 TEMPLATE_TEST_CASE("check: a rotation within rounding passes", "[proprioception]", float, double) {
-  CHECK(rme::check(Sample7<TestType>()) == Status::Ok);
-  CHECK(rme::check(good_sample<TestType>()) == Status::Ok);
+  CHECK(rme::check_sample(Sample7<TestType>()) == Status::Ok);
+  CHECK(rme::check_sample(good_sample<TestType>()) == Status::Ok);
   // Seven printed digits, as a log or a message may carry them.
   Sample7<TestType> sample = good_sample<TestType>();
   sample.rotation = (sample.rotation * TestType(1e6)).array().round().matrix() / TestType(1e6);
-  CHECK(rme::check(sample) == Status::Ok);
+  CHECK(rme::check_sample(sample) == Status::Ok);
 }
 
 TEMPLATE_TEST_CASE("check: what is no rotation is told from one", "[proprioception]", float, double) {
   const auto with_rotation = [](const rme::Matrix3<TestType>& R) {
     Sample7<TestType> sample = good_sample<TestType>();
     sample.rotation = R;
-    return rme::check(sample);
+    return rme::check_sample(sample);
   };
   const rme::Matrix3<TestType> R = good_sample<TestType>().rotation;
   const rme::Matrix3<TestType> mirror = R * rme::Vector3<TestType>(1, 1, -1).asDiagonal();
@@ -63,19 +63,19 @@ TEST_CASE("check: a NaN or an infinity anywhere is named", "[proprioception]") {
       tau.tau_ext[i] = bad;
       dq.dq[i] = bad;
       jacobian.jacobian(i % 6, i) = bad;
-      CHECK(rme::check(tau) == Status::NonFiniteInput);
-      CHECK(rme::check(dq) == Status::NonFiniteInput);
-      CHECK(rme::check(jacobian) == Status::NonFiniteInput);
+      CHECK(rme::check_sample(tau) == Status::NonFiniteInput);
+      CHECK(rme::check_sample(dq) == Status::NonFiniteInput);
+      CHECK(rme::check_sample(jacobian) == Status::NonFiniteInput);
     }
     for (int i = 0; i < 9; ++i) {
       CAPTURE(i);
       Sample7<double> sample = good_sample<double>();
       sample.rotation(i / 3, i % 3) = bad;
-      CHECK(rme::check(sample) == Status::NonFiniteInput);
+      CHECK(rme::check_sample(sample) == Status::NonFiniteInput);
     }
   }
 }
 
-static_assert(noexcept(rme::check(std::declval<const Sample7<double>&>())));
+static_assert(noexcept(rme::check_sample(std::declval<const Sample7<double>&>())));
 
 }  // namespace

@@ -291,7 +291,7 @@ TEST_CASE("StarGaussian: a mixture of one part is that part, and one with an emp
   CHECK(nothing.nuisance_mean(2).isApprox(empty.nuisance_mean(2), 1e-12));
   // Half of the payload, and half of its covariance beside what lies between the two means.
   const Star half = Star::mix<2>({&star, &empty}, {0.5, 0.5});
-  const Matrix P = 0.5 * star.covariance() + 0.25 * star.mean() * star.mean().transpose();
+  const Matrix P = 0.5 * star.covariance() + 0.25 * oracle::square(star.mean());
   CHECK((half.covariance() - P).norm() < 1e-12 * P.norm());
   CHECK((half.mean() - 0.5 * star.mean()).norm() < 1e-14);
 }
@@ -410,16 +410,16 @@ TEST_CASE("StarGaussian: factorise gives a factor a factor of singular matrices 
   for (int rank = 0; rank <= kInertial; ++rank) {
     CAPTURE(rank);
     const Matrix G = oracle::random_matrix(random, kInertial, rank);
-    PhiMatrix scale = PhiMatrix::Identity();
+    Matrix scale = Matrix::Identity(kInertial, kInertial);
     for (int i = 4; i < kInertial; ++i) scale(i, i) = 1e-4;  // kilograms beside kilogram square metres
-    const PhiMatrix P = scale * PhiMatrix(oracle::square(G)) * scale;
+    const PhiMatrix P = oracle::congruence(scale, oracle::square(G));
     PhiMatrix L = PhiMatrix::Constant(7);
     REQUIRE(Star::factorise(P, L));
     CHECK(L.isLowerTriangular(0));
     // Entry by entry, relative to the diagonal's scale.
+    const Matrix off = oracle::square(L) - P;
     for (int i = 0; i < kInertial; ++i)
-      for (int k = 0; k < kInertial; ++k)
-        CHECK(std::abs((L * L.transpose() - P)(i, k)) <= 1e-13 * std::sqrt(P(i, i) * P(k, k)));
+      for (int k = 0; k < kInertial; ++k) CHECK(std::abs(off(i, k)) <= 1e-13 * std::sqrt(P(i, i) * P(k, k)));
   }
   // A direction of which P says nothing: a mass that is known exactly.
   PhiMatrix P = PhiMatrix::Identity(), L;
@@ -468,11 +468,36 @@ TEST_CASE("StarGaussian: variances settle where the Riccati equation says", "[st
 }
 
 /// Smallest eigenvalue of a covariance whose rows have been scaled to a diagonal of ones.
-template <typename Derived>
-double least_correlation(const Eigen::MatrixBase<Derived>& covariance) {
-  const Matrix P = covariance.template cast<double>();
-  const Vector scale = P.diagonal().cwiseSqrt().cwiseInverse();
-  return oracle::eigenvalues(scale.asDiagonal() * (0.5 * (P + P.transpose())) * scale.asDiagonal())[0];
+double least_correlation(const Matrix& covariance) {
+  const Matrix symmetric = 0.5 * (covariance + oracle::transposed(covariance));
+  const Matrix scale = covariance.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
+  return oracle::eigenvalues(oracle::congruence(scale, symmetric))[0];
+}
+
+/// What the joints' torques depend on at a moment of the motion.
+struct Regressors {
+  Eigen::Matrix<double, rme::kInertial, 7> h;
+  rme::JointVector<double, 7> velocity;
+};
+
+/// A Panda in 64 random poses, turning in each.
+std::vector<Regressors> panda_poses(std::mt19937_64& random, std::normal_distribution<double>& normal) {
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto vector = [&](double size) {
+    return Eigen::Vector3d(size * normal(random), size * normal(random), size * normal(random));
+  };
+  const auto& arm = rme::examples::panda();
+  std::vector<Regressors> poses(64);
+  for (Regressors& pose : poses) {
+    const auto at = arm.kinematics(rme::examples::random_panda_pose(uniform));
+    const auto Y =
+        rme::inertial_wrench_regressor<double>(at.rotation, arm.gravity_vector, {vector(0.5), vector(0.5), vector(1)});
+    pose.h = Y.transpose() * at.jacobian;
+    for (double& v : pose.velocity) v = 0.3 * normal(random);
+  }
+  return poses;
 }
 
 /// A Panda carries a payload from pose to pose for `blocks` blocks of 20 ms; each is one joint's torque, in turn, which
@@ -483,27 +508,7 @@ void check_long_run(int blocks, unsigned seed) {
   constexpr int n = 7;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
-  struct Regressors {
-    Eigen::Matrix<Scalar, rme::kInertial, n> h;
-    rme::JointVector<Scalar, n> velocity;
-  };
-  const auto& arm = rme::examples::panda();
-  std::vector<Regressors> poses;
-  for (int k = 0; k < 64; ++k) {
-    const auto at = arm.kinematics(rme::examples::random_panda_pose(uniform));
-    const auto vector = [&](double size) {
-      return Eigen::Vector3d(size * normal(random), size * normal(random), size * normal(random));
-    };
-    const auto Y =
-        rme::inertial_wrench_regressor<double>(at.rotation, arm.gravity_vector, {vector(0.5), vector(0.5), vector(1)});
-    const Eigen::Matrix<double, rme::kInertial, n> h = Y.transpose() * at.jacobian;
-    const rme::JointVector<double, n> velocity =
-        rme::JointVector<double, n>::NullaryExpr([&] { return 0.3 * normal(random); });
-    poses.push_back({h.template cast<Scalar>(), velocity.template cast<Scalar>()});
-  }
+  const std::vector<Regressors> poses = panda_poses(random, normal);
   rme::InertialVector<double> numbers;
   numbers << 0.9, 0.02, -0.01, 0.09, 0.012, 0, 0, 0.012, 0, 0.002;
   const rme::InertialVector<Scalar> truth = numbers.template cast<Scalar>();
@@ -531,9 +536,9 @@ void check_long_run(int blocks, unsigned seed) {
     V(rme::kOffset, rme::kOffset) += Scalar(4e-8);
     V(rme::kCoulomb, rme::kCoulomb) += Scalar(4e-10);
     V(rme::kViscous, rme::kViscous) += Scalar(1e-10);
-    const Scalar velocity = pose.velocity[j], direction = velocity > 0 ? Scalar(1) : Scalar(-1);
+    const auto velocity = Scalar(pose.velocity[j]), direction = velocity > 0 ? Scalar(1) : Scalar(-1);
     rme::JointObservation<Scalar> o;
-    o.h = pose.h.col(j);
+    o.h = pose.h.col(j).template cast<Scalar>();
     o.c << 1, -direction, -velocity, 1, 0;
     o.noise = noise * noise;
     // With an offset of 0.1 N m and friction of 0.25 N m and 0.08 N m s/rad.
@@ -542,13 +547,13 @@ void check_long_run(int blocks, unsigned seed) {
     star.observe(j, star.predict(j, o));
   }
   CHECK(star.mean().allFinite());
-  CHECK(least_correlation(star.covariance()) > 0);
+  CHECK(least_correlation(star.covariance().template cast<double>()) > 0);
   for (int j = 0; j < n; ++j) {
     CAPTURE(j, star.joint(j).covariance);
     CHECK(star.joint(j).mean.allFinite());
     CHECK((star.joint(j).covariance.diagonal().array() > 0).all());
-    CHECK(least_correlation(star.joint(j).covariance) > 0);
-    CHECK(least_correlation(star.nuisance_covariance(j)) > 0);
+    CHECK(least_correlation(star.joint(j).covariance.template cast<double>()) > 0);
+    CHECK(least_correlation(star.nuisance_covariance(j).template cast<double>()) > 0);
     const auto& V = star.joint(j).covariance;
     CHECK((V - V.transpose()).norm() < 1e-3 * V.norm());
   }

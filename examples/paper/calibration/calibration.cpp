@@ -1,20 +1,21 @@
-// calibration: are the intervals honest? Do pushes pass for payloads, or payloads for pushes, and is anything seen
-// where there is nothing?
+// calibration: do the intervals hold the truth as often as they claim? Are pushes taken for payloads or payloads for
+// pushes, and are payloads found where there are none?
 //
-// Simulates a Panda in random poses that holds still under an impedance law; its torque sensors have noise and offsets,
-// its joints friction, all drawn anew for each run. After one second an unknown payload hangs on its flange; from the
-// second second on the arm moves. Judges the tracker's estimates at rest, half a second after the attach, and after
-// three seconds of motion. Prints for each parameter the errors, how often the 50, 80, 90 and 95 % intervals hold the
-// truth, and the rank histogram (simulation-based calibration: where the truth lies in the posterior, in tenths; level
-// if the posteriors are honest), for arms whose torque sensing sees joint friction and for arms where it does not. The
-// estimator is not told which it is.
+// Simulates a Panda that holds a random pose under an impedance law. Its torque sensors have noise and offsets, its
+// joints have friction, all drawn anew for each run. One second after the start an unknown payload is attached to the
+// flange, and two seconds after the start the arm begins to move. The tracker's estimates are compared with the truth
+// at rest, half a second after the attach, and after three seconds of motion. Prints for each parameter the errors, how
+// often the 50, 80, 90 and 95 % intervals hold the truth, and the rank histogram (simulation-based calibration: how
+// often the truth lies in each tenth of the posterior; all counts are equal if the posteriors are honest). This is done
+// for arms with link-side sensing and for arms whose torque contains joint friction. The estimator is not told which it
+// is, unless --told is given.
 //
-// --pushes adds as many runs in which a hand pushes an empty arm, --quiet that many seconds in which nothing happens.
+// --pushes N adds N runs in which a hand pushes an arm without payload, --quiet S adds S seconds without any event.
 //
-// A calibrated posterior has level ranks only if the truths come from its own prior, which is the default here.
-// "--truth uniform" draws them evenly from the payloads that one may meet, which is what a user cares about; where the
-// data say little (the centre of mass along gravity), coverage then says as much about the prior as about the
-// inference.
+// A calibrated posterior has uniform ranks only if the truths come from its own prior, which is the default here.
+// "--truth uniform" draws them from a uniform distribution over usual payloads, which is closer to a user's situation.
+// Where the data say little (the centre of mass along gravity), the coverage then depends as much on the prior as on
+// the inference.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -36,36 +37,37 @@ namespace {
 
 using namespace rme::examples;
 
-constexpr double kAttach = 1;     // when the payload or the push comes [s]
-constexpr double kRest = 0.5;     // judged that long after the attach, at rest [s]
+constexpr double kAttach = 1;     // when the payload is attached or the push begins [s]
+constexpr double kRest = 0.5;     // the estimate at rest is read this long after the attach [s]
 constexpr double kSetOff = 2;     // when the arm begins to move [s]
-constexpr double kEnd = 5;        // judged then, after motion [s]
+constexpr double kEnd = 5;        // when the estimate after motion is read [s]
 constexpr double kWatched = 2;    // how long a push is watched after its end [s]
-constexpr double kGhost = 0.05;   // of an empty hand: more is a payload that is not there [kg]
-constexpr double kCarried = 0.2;  // for which a push may pass for a payload [s]
+constexpr double kGhost = 0.05;   // a larger estimated mass of an empty hand counts as a false payload [kg]
+constexpr double kCarried = 0.2;  // how long a push may be taken for a payload [s]
 
 constexpr const char* kUsage =
     R"(usage: rme_calibration [options]
 
-Simulates random payloads on a random arm and says how good and how honest the tracker's beliefs are.
+Simulates random payloads on random arms and prints the errors of the tracker's estimates and how often its intervals hold
+the truth.
 
   --events N        payloads to attach to each kind of arm (default 500)
-  --sensing NAME    what the torque sensors see of the joint friction: link_side, joint_friction, or both, one after the
-                    other (default)
-  --truth NAME      where payloads come from: prior (the tracker's own, default), or uniform (0.2 to 2 kg)
-  --pushes N        also N pushes of an empty hand of each kind of arm, 0.3 to 2 s long: half of them 5 to 30 N in any
-                    direction at the flange, half nearly what a payload does: 6 to 12 N down and about 1 N aside, 10 cm
-                    ahead of it
-  --warm-up S       the arm moves that long before anything else, and so shows what kind it is (default 0)
-  --told            the estimator is told what kind it is
+  --sensing NAME    kind of arm: link_side (the torque contains no joint friction), joint_friction (it does), or both, one
+                    after the other (default)
+  --truth NAME      distribution of the payloads: prior (the tracker's own, default), or uniform (0.2 to 2 kg)
+  --pushes N        also N pushes on each kind of arm with an empty hand, 0.3 to 2 s long. Half of them have 5 to 30 N in
+                    any direction at the flange. The others resemble a payload: 6 N or more down (7.6 N on average) and
+                    about 1 N aside, about 10 cm ahead of the flange
+  --warm-up S       the arm moves for S seconds before anything else, and so shows what kind it is (default 0)
+  --told            the estimator is told what kind of arm it is
   --quiet S         also S seconds with nothing attached: half at rest, half following a moving target
   --seed N          of everything random (default 1)
-  --threads N       (default 1); the result does not depend on it
-  --output DIR      write events.csv and ranks.csv there; the folder is made if need be. plot.py draws them
+  --threads N       number of threads (default 1); the result does not depend on it
+  --output DIR      write events.csv and ranks.csv there; the folder is created if it does not exist. plot.py draws them
   --help            this text
 
-Exit codes: 0 the 90 % intervals hold 87 to 93 % of the truths after motion, at most 1 % of the pushes are carried as
-payload for more than 0.2 s, and no payload is refused; 1 not; 2 unusable arguments.
+Exit codes: 0 every payload is believed in, the 90 % intervals hold 87 to 93 % of the truths after motion, and at most
+1 % of the pushes are taken for a payload for more than 0.2 s; 1 not; 2 unusable arguments.
 )";
 
 struct Options {
@@ -114,7 +116,7 @@ constexpr const char* name_of(Kind kind) {
   return kind == Kind::JointFriction ? "joint friction" : "link side";
 }
 
-/// Calls work(0) ... work(count - 1), spread over threads, and says on stderr how far it has come.
+/// Calls work(0) ... work(count - 1), spread over threads, and prints the progress to stderr.
 template <typename Work>
 void for_each(std::size_t count, const Options& options, const std::string& what, const Work& work) {
   std::atomic<std::size_t> next{0}, done{0};
@@ -138,7 +140,7 @@ void for_each(std::size_t count, const Options& options, const std::string& what
   if (failure) std::rethrow_exception(failure);
 }
 
-/// A target that swings around where it began.
+/// Joint angles of a target that swings, relative to its start.
 class Swing {
  public:
   explicit Swing(RandomHost& random) {
@@ -154,7 +156,7 @@ class Swing {
   Torque amplitude_, frequency_;  // [rad], [rad/s]
 };
 
-/// The settings of its estimator, and an arm that has moved as long as was asked for and rests again.
+/// A Host with the settings of the options, whose arm has moved for --warm-up and rests again.
 class Bench : public Host {
  public:
   Bench(const Options& options, Kind kind, const Draw& draw, const Swing& swing)
@@ -167,8 +169,8 @@ class Bench : public Host {
     if (options.warm_up > 0) move(Torque::Zero());
     begin_ = arm().time();
   }
-  double time() { return arm().time() - begin_; }  // since then [s]
-  /// From where it is to hold [rad].
+  double time() { return arm().time() - begin_; }  // since the warm-up [s]
+  /// Moves the target to the drawn one plus this difference [rad].
   void move(const Torque& way) { hold(draw_.target + way); }
 
  private:
@@ -182,13 +184,13 @@ class Bench : public Host {
   double begin_ = 0;
 };
 
-/// When a payload is judged.
+/// When an estimate is compared with the truth.
 enum When : std::size_t { kAtRest, kAfterMotion, kWhens };
 constexpr const char* kWhenNames[] = {"at rest", "after motion"};
 
-/// What was made of one payload.
+/// The estimates of one payload.
 struct Event {
-  std::array<std::optional<Scored>, kWhens> scored;  // none while the hand is believed to be empty
+  std::array<std::optional<Scored>, kWhens> scored;  // none if the hand is believed to be empty then
   double noticed = -1;                               // after the attach [s]; -1 for never
   int skipped = 0;
 };
@@ -228,7 +230,7 @@ Event attach_payload(const Options& options, Kind kind, std::size_t run) {
   return event;
 }
 
-/// @return whether the 90 % intervals hold what they should
+/// @return whether the 90 % intervals hold 87 to 93 % of the truths
 bool print(const std::vector<Scored>& scored) {
   std::printf("%-9s %7s %7s %7s |%7s%7s%7s%7s  %% hold |%11s | ranks in tenths\n", "", "mae", "rms", "bias", "50", "80",
               "90", "95", "half width");
@@ -283,7 +285,7 @@ class Files {
   std::ofstream events_, ranks_;
 };
 
-/// @return whether intervals hold after motion, and no payload is refused
+/// @return whether the intervals are honest after motion, and every payload is believed in
 bool study_payloads(const Options& options, Kind kind, Files& files) {
   std::vector<Event> events(options.events);
   for_each(options.events, options, std::string("payloads, ") + name_of(kind),
@@ -350,7 +352,7 @@ Push push_arm(const Options& options, Kind kind, std::size_t run) {
   return push;
 }
 
-/// @return whether next to none is carried
+/// @return whether at most 1 % of the pushes are taken for a payload
 bool study_pushes(const Options& options, Kind kind) {
   std::vector<Push> pushes(options.pushes);
   for_each(options.pushes, options, std::string("pushes, ") + name_of(kind),
@@ -369,17 +371,17 @@ bool study_pushes(const Options& options, Kind kind) {
   const int all = carried[0] + carried[1];
   std::printf("\n%s: %zu pushes; taken for more than %.0f g for longer than %.1f s: %d (%.2f %%)\n", name_of(kind),
               pushes.size(), 1e3 * kGhost, kCarried, all, 100.0 * all / static_cast<double>(pushes.size()));
-  std::printf("of those in any direction %d of %d, of those down and aside %d of %d; the longest for %.2f s\n",
+  std::printf("these are %d of %d pushes in any direction, %d of %d pushes down and aside; the longest for %.2f s\n",
               carried[0], of[0], carried[1], of[1], longest);
   if (!across.empty())
-    std::printf("the force across gravity of those that were: half below %.2f N, nine tenths below %.2f N\n",
+    std::printf("their force across gravity: below %.2f N for half of them, below %.2f N for nine tenths\n",
                 across[across.size() / 2], across[across.size() * 9 / 10]);
   return 100 * all <= static_cast<int>(pushes.size());
 }
 
 constexpr double kQuietRun = 30;  // length of one quiet run [s]
 
-/// An arm of its own, at rest or on the move. @return events that were no pushes, where nothing happens
+/// Runs an arm without any event, at rest or in motion. @return false events, pushes not counted
 int leave_alone(const Options& options, Kind kind, std::size_t run, double duration) {
   RandomHost random(options.seed + 2, run);
   const Draw draw = random.draw(kind, std::nullopt, false);

@@ -15,7 +15,7 @@ Draw RandomHost::draw(Kind kind, const std::optional<PayloadGaussian<double>>& p
     if ((held.array().abs() < 0.9 * panda().tau_max.array()).all()) break;
     ++d.skipped;
   }
-  // It starts some millimetres beside its target, as an arm that has just arrived.
+  // The arm starts some millimetres beside its target, like an arm that has just arrived.
   for (int i = 0; i < 7; ++i) d.target[i] = normal(d.start[i], 0.005);
   return d;
 }
@@ -36,8 +36,8 @@ SyntheticArmConfig<7> RandomHost::faults(bool friction_shows) {
   return arm;
 }
 
-// Well inside the limits, well conditioned, the flange above the table and away from the base. The flange points
-// anywhere.
+// Well inside the limits, well conditioned, the flange above the table and away from the base. The flange may point in
+// any direction.
 void RandomHost::pose(Torque& q) {
   while (true) {
     for (int i = 0; i < 7; ++i) {
@@ -45,8 +45,7 @@ void RandomHost::pose(Torque& q) {
       q[i] = uniform(panda().q_min[i] + margin, panda().q_max[i] - margin);
     }
     const auto at = panda().kinematics(q);
-    if (smallest_mobility(at.jacobian) > 0.1 * 0.1 && at.position.z() > 0.2 && at.position.head<2>().norm() > 0.3)
-      return;
+    if (is_mobile(at.jacobian, 0.1) && at.position.z() > 0.2 && at.position.head<2>().norm() > 0.3) return;
   }
 }
 

@@ -15,19 +15,19 @@ namespace rme::examples {
 using Torque = JointVector<double, 7>;
 constexpr double kPeriod = 1e-3;  // of the control loop [s]
 
-/// What the arm's torque sensors see of the joint friction.
+/// Whether the sensed torque contains joint friction: never, always, or in half of the arms at random.
 enum class Kind { LinkSide, JointFriction, Mixed };
 
-/// Everything that chance decides about one run.
+/// All that is drawn at random for one run.
 struct Draw {
   bool friction_shows = false;
   SyntheticArmConfig<7> arm;
-  Torque start, target;  ///< joint angles at which the arm starts, and those that it is to hold [rad]
+  Torque start, target;  ///< joint angles at which the arm starts, and those that it has to hold [rad]
   RigidBody payload;
   int skipped = 0;  ///< draws before this one that the arm could not have held
 };
 
-/// Draws runs from a seed; run k is the same whatever was drawn before.
+/// Draws the runs of a seed; run k does not depend on the runs drawn before.
 class RandomHost {
  public:
   RandomHost(std::uint64_t seed, std::uint64_t run)
@@ -43,7 +43,7 @@ class RandomHost {
     return Eigen::Vector3d(x, y, z).normalized();
   }
 
-  /// @param prior         of the payload, masses below 50 g and above 3 kg left out; without one, it is even: 0.2 to
+  /// @param prior         distribution of the payload, without masses below 50 g and above 3 kg; none: uniform, 0.2 to
   ///                      2 kg, centre of mass within 8 cm across the flange's axis and 0 to 20 cm along it
   /// @param with_payload  whether the arm must be able to hold the payload
   Draw draw(Kind kind, const std::optional<PayloadGaussian<double>>& prior, bool with_payload = true);

@@ -1,5 +1,5 @@
 #pragma once
-/// How good a set of estimates is, and how honest.
+/// Errors of a set of estimates, and how often their intervals hold the truth.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -14,12 +14,10 @@ constexpr std::array<int, 4> kLevels = {50, 80, 90, 95};                        
 constexpr std::array<double, 4> kHalfWidths = {0.674490, 1.281552, 1.644854, 1.959964};  // [standard deviations]
 constexpr std::size_t kBins = 10;                                                        // of a rank histogram
 
-/// One estimate beside the truth.
+/// One estimate and the truth.
 struct Scored {
-  Eigen::Vector4d truth, error, deviation;
-  double across = 0;           ///< error of the centre of mass across gravity [m]
-  double detection_delay = 0;  ///< from the attach to the detection [s]
-  double delay = 0;            ///< from the attach to the estimate [s]
+  Eigen::Vector4d truth, error, deviation;  ///< (m, r): error is estimate minus truth [kg, m, m, m]
+  double across = 0;                        ///< error of the centre of mass across gravity [m]
   bool friction_shows = false;
 };
 
@@ -55,8 +53,8 @@ inline Summary summarise(const std::vector<Scored>& scored, int parameter) {
   return out;
 }
 
-/// How many counts a uniform rank histogram of `n` has in a bin, at least and at most, in 99 % of cases (normal
-/// approximation of the binomial).
+/// Smallest and largest count in a bin of a uniform rank histogram of `n` estimates, in 99 % of cases (normal
+/// approximation of the binomial distribution).
 inline std::array<double, 2> expected_counts(std::size_t n) {
   const double p = 1.0 / static_cast<double>(kBins), mean = static_cast<double>(n) * p;
   const double spread = 2.575829 * std::sqrt(mean * (1 - p));

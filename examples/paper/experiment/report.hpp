@@ -1,22 +1,24 @@
 #pragma once
 /// Tables, CSV files and progress of the experiments.
+#include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/arguments.hpp"
 
 namespace rme::examples {
 
-/// A table that reads well as plain text and is Markdown.
+/// A Markdown table whose columns are also aligned as plain text.
 class MarkdownTable {
  public:
   explicit MarkdownTable(std::vector<std::string> head) : rows_{std::move(head)} {}
   void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
 
-  /// Numbers are set flush right: a column is, if its last row starts with a digit or a sign.
+  /// Columns of numbers are aligned to the right: those whose last cell starts with a digit or a sign.
   void print() const {
     std::vector<std::size_t> width(rows_[0].size(), 3);
     for (const auto& row : rows_)
@@ -40,7 +42,7 @@ class MarkdownTable {
     const std::string& cell = rows_.back()[column];
     return !cell.empty() && std::string("0123456789+-").find(cell[0]) != std::string::npos;
   }
-  // In characters as they are seen: UTF-8 continues a character with bytes 10xxxxxx.
+  // In visible characters: UTF-8 continues a character with bytes 10xxxxxx.
   static std::size_t length(const std::string& text) {
     std::size_t n = 0;
     for (const char c : text) n += (static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1 : 0;
@@ -50,7 +52,7 @@ class MarkdownTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// printf into a string: a table's cell.
+/// printf into a string of at most 127 bytes: a table's cell.
 template <typename... Values>
 std::string text(const char* format, Values... values) {
   char buffer[128];
@@ -61,16 +63,17 @@ inline std::string text(const char* plain) {
   return plain;
 }
 
-/// A CSV file in the output folder, or none if there is no folder. Complains when it cannot be written.
+/// A CSV file in the output folder; without a folder nothing is written. Its stream throws if a later row cannot be
+/// written.
 class CsvFile {
  public:
-  /// @throws ArgumentError
+  /// @throws ArgumentError if the header cannot be written
   CsvFile(const std::optional<std::string>& folder, const std::string& name, const std::string& head) {
     if (!folder) return;
-    const std::filesystem::path path = std::filesystem::path(*folder) / name;
+    const std::string path = *folder + "/" + name;
     file_.open(path);
     file_.precision(9);
-    if (!(file_ << head << '\n')) throw ArgumentError("--output: cannot write " + path.string());
+    if (!(file_ << head << '\n')) throw ArgumentError("--output: cannot write " + path);
     file_.exceptions(std::ofstream::failbit | std::ofstream::badbit);
   }
   /// One row of numbers and words.
@@ -86,7 +89,7 @@ class CsvFile {
   std::ofstream file_;
 };
 
-/// "12 of 60" on stderr, where it does not mix with the report.
+/// Prints "WHAT: 12 of 60" to stderr, apart from the report on stdout.
 inline void progress(const char* what, std::size_t done, std::size_t all) {
   std::fprintf(stderr, "\r%s: %zu of %zu%s", what, done, all, done == all ? "\n" : "");
 }

@@ -13,36 +13,36 @@ namespace rme::examples {
 constexpr double kPeriod = 1e-3;  // of the control loop [s]
 constexpr double kPi = 3.14159265358979323846;
 
-/// One row of the paper's Table 2: a payload, and what the published system made of it on the real arm.
+/// One row of the paper's Table 2: a payload, and the published estimates of it on the real arm.
 struct PublishedTrial {
-  double mass;          // [kg]
-  Eigen::Vector3d com;  // flange axes [m]
-  Eigen::Vector4d mean, deviation;
+  double mass;                      // [kg]
+  Eigen::Vector3d com;              // flange axes [m]
+  Eigen::Vector4d mean, deviation;  // of the estimates: m, r_x, r_y, r_z [kg, m, m, m]
 };
 
 /// Table 2 of the paper, as its supplementary text prints it.
 const std::array<PublishedTrial, 6>& published_trials();
 
-/// A payload of the experiments: a box, of which only mass and centre are told to anybody.
+/// A payload of the experiments: a box of 6 x 6 x 10 cm. Mass [kg] and centre of mass (flange axes, [m]) are given.
 RigidBody experiment_payload(double mass, const Eigen::Vector3d& com);
 
-/// On what arm an experiment runs.
+/// The arm on which an experiment runs, and the experiment's options.
 struct Setup {
-  bool mujoco = false;    // MuJoCo's physics in place of our own
-  bool friction = false;  // torque sensed before the gears: joint friction holds the arm back and shows in tau_ext
-  bool quick = false;     // a tenth of the work, to see that it works
+  bool mujoco = false;    // MuJoCo's physics instead of that of examples/synthetic_arm
+  bool friction = false;  // torque is sensed at the motors: tau_ext contains the joint friction that acts on the arm
+  bool quick = false;     // fewer trials, to check that the program works
   std::uint64_t seed = 1;
   std::optional<std::string> output;  // folder of the CSV files
 
   /// Takes --physics, --friction, --quick, --seed and --output. @throws ArgumentError
   static Setup parse(Arguments& arguments);
   static constexpr const char* kUsage =
-      R"(  --physics NAME    synthetic (default), or mujoco where this was built with it
-  --friction        an arm that senses torque before its gears: joint friction holds it back and shows in the torque.
-                    Without it, torque is sensed behind the gears, as on the arm of the paper
+      R"(  --physics NAME    synthetic (default), or mujoco if this was built with it
+  --friction        an arm with joint friction that senses torque at the motors, so that the torque contains the friction.
+                    Without this option, torque is sensed behind the gears, as on the arm of the paper
   --seed N          of everything random (default 1)
-  --quick           less of everything: to see that it works
-  --output DIR      write the data there as CSV; the folder is made if need be. plot.py draws them
+  --quick           fewer trials, to check that the program works
+  --output DIR      write the data there as CSV; the folder is created if it does not exist. plot.py draws the data
   --help            this text
 )";
 

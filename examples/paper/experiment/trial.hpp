@@ -1,6 +1,6 @@
 #pragma once
-/// One run of an experiment: an arm under CPIC, tick after tick. The published pipeline and the tracker listen; one of
-/// them, or nobody, carries the payload.
+/// One run of an experiment: an arm under CPIC, tick after tick. The published pipeline and the tracker get its samples;
+/// the compensation is that of one of them, or none.
 #include <array>
 #include <cpic_host/host.hpp>
 #include <cstdint>
@@ -13,12 +13,12 @@
 
 namespace rme::examples {
 
-/// Whose estimate reaches the controller.
+/// The estimate that the compensation is computed from.
 enum class Method : std::uint8_t {
-  None,
-  Published,
+  None,         // no compensation
+  Published,    // PublishedPipeline
   Tracker,      // Estimator with its default settings
-  TrackerTold,  // the same, and somebody has told it whether the arm's torque sensing sees friction
+  TrackerTold,  // Estimator whose setting `sensing` is that of the arm
 };
 
 constexpr std::array<Method, 3> kMethods = {Method::None, Method::Published, Method::Tracker};
@@ -27,7 +27,7 @@ constexpr const char* name_of(Method method) {
   return names[static_cast<std::size_t>(method)];
 }
 
-/// What the settings of an estimator that is told of the arm's sensing are.
+/// Default settings, but `sensing` is set to that of the arm.
 EstimatorConfig<double, 7> told(const SyntheticArmConfig<7>& arm);
 
 /// The network of examples/models/panda.json, in the published architecture.
@@ -39,30 +39,31 @@ class Trial {
   using Vector = JointVector<double, 7>;
   using Published = PublishedPipeline<double, 7>;
 
-  /// @param collection  of the published pipeline, after a detection [s]
+  /// @param method      whose estimate is compensated
+  /// @param collection  time for which the published pipeline collects samples after a detection [s]
   Trial(const SyntheticArmConfig<7>& arm_config, const HostConfig& host_config, const Vector& start, Method method,
         double collection = PublishedPipelineConfig<double>().collection);
 
-  /// Estimators, then controller, at the present time.
+  /// Updates the estimators, then the controller, with the arm's present state.
   /// @return the torque to command [N m]
   /// @throws std::runtime_error if the estimators or the controller refuse a sample: here that is a bug
   const Vector& command();
-  /// The same, then the arm's next millisecond. What the members say afterwards belongs to the new time but for the
-  /// host's, which is of the tick before.
+  /// command(), then moves the arm on by one millisecond. Afterwards `arm` is in its new state; `host` and the
+  /// estimators are in the state of the tick before.
   void tick() { arm.step(command()); }
 
   Eigen::Vector3d position_error() const { return arm.kinematics().position - config_.target; }  // world axes [m]
-  /// [rad]
+  /// Angle between the flange's orientation and the target's [rad].
   double orientation_error() const {
     return config_.orientation.angularDistance(Eigen::Quaterniond(arm.kinematics().rotation));
   }
-  /// All that is in the hand.
+  /// Mass and centre of mass of all that is in the hand [kg, m, m, m].
   Eigen::Vector4d truth() const;
-  /// What a method believes of it; of the published pipeline, its last estimate.
+  /// A method's estimate of it; for the published pipeline, its last one.
   const PayloadGaussian<double>& belief(Method method) const {
     return method == Method::Published ? published.state().posterior : estimator.state().payload;
   }
-  /// How often a method has found another payload than before, be it an empty hand.
+  /// How often a method has found another payload than before, an empty hand included.
   std::uint64_t answers(Method method) const {
     return method == Method::Published ? published.state().estimates : found_;
   }

@@ -1,8 +1,8 @@
-// figure7_detection: Figure 7 of the paper, and what it does not show. What do the published detection conditions
-// (Algorithm 1, on the norm of tau_ext), the published pipeline behind them and the tracker make of a payload that is
-// attached, one that is removed, slow hand-overs, and a push?
+// figure7_detection: Figure 7 of the paper, with more events. A payload is attached, removed or handed over slowly, or
+// somebody pushes. When do the published detection conditions (Algorithm 1, on the norm of tau_ext), the published
+// pipeline that uses them, and the tracker notice it, and what do they estimate?
 //
-// All watch the same arm, which holds its pose under CPIC with the tracker's compensation.
+// All three get the samples of the same arm, which holds its pose under CPIC with the tracker's compensation.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,22 +14,23 @@ namespace {
 
 using namespace rme::examples;
 
-constexpr double kEvent = 1;    // when it happens [s]
-constexpr double kRemoval = 4;  // in that scenario [s]
+constexpr double kEvent = 1;    // time of the event, but for the removal [s]
+constexpr double kRemoval = 4;  // time of the removal [s]
 
 constexpr const char* kUsage = R"(usage: rme_figure7_detection [options]
 
 Figure 7 of the paper: detection of a payload attached, removed or handed over slowly, and of a push.
 
-Exit codes: 0 the tracker ended within 50 g of every payload (100 g with --friction) and took no push for one; 1 not; 2 unusable arguments.
+Exit codes: 0 the tracker's last estimate was within 50 g of every payload (100 g with --friction), and it took no push
+for a payload; 1 not; 2 unusable arguments.
 
   --trials N        of each scenario (default 20; 2 with --quick)
 )";
 
 struct Scenario {
   const char* name;
-  double ramp = 0;       // in which the payload weighs in [s]
-  bool removal = false;  // looks at the second event
+  double ramp = 0;       // time over which the payload's weight comes on [s]
+  bool removal = false;  // the payload is removed at kRemoval, and that event is judged
   Push push;             // in place of a payload
 
   bool is_push() const { return !push.force.isZero(); }
@@ -47,11 +48,11 @@ const std::vector<Scenario>& scenarios() {
   return all;
 }
 
-/// What one of them made of it. Times count from the event [s]; what did not happen is missing.
+/// What a method found. Times count from the event [s]; a time is missing if it did not happen.
 struct Found {
   std::optional<double> noticed, estimate;
-  double error = 0;  // of the mass that is believed in the end [kg]
-  int answers = 0;   // payloads found, be it an empty hand
+  double error = 0;  // of the last estimate of the mass [kg]
+  int answers = 0;   // payloads found, an empty hand included
 };
 struct Outcome {
   Found published, tracker;
@@ -137,8 +138,7 @@ int run(Arguments& arguments) {
       pushes += out.pushed ? 1 : 0;
       progress("figure7_detection", number, trials * scenarios().size());
     }
-    // Of what has slid into the hand in two seconds, the mass in the end is what counts, not when it is called an
-    // event.
+    // In a hand-over of two seconds, the mass at the end counts, not the time at which the event is reported.
     good = good && (scenario.is_push() ? tracker.estimates.empty() && tracker.worst < 0.02
                                        : tracker.worst < (setup.friction ? 0.1 : 0.05));
     table.row({scenario.name, often(published.noticed, trials), often(published.estimates, trials),

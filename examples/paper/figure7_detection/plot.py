@@ -8,7 +8,7 @@ from plotting import COLOURS, column, main, plt, read
 
 
 def spans(rows, key):
-    """(begin, length) of the times in which a condition holds."""
+    """(begin, length) of each time span in which a condition holds."""
     out, begin = [], None
     for row in rows:
         if row[key] and begin is None:
@@ -20,7 +20,7 @@ def spans(rows, key):
 
 
 def draw(folder):
-    """The norm of tau_ext, the published conditions below it, and the masses that are believed in beside the true one."""
+    """The norm of tau_ext with the published conditions; below it, the estimated masses and the true one."""
     rows = read(folder / "detection.csv")
     scenarios = list(dict.fromkeys(row["scenario"] for row in rows))
     figure, axes = plt.subplots(2, len(scenarios), figsize=(2.1 * len(scenarios), 3.8), sharex="col", sharey="row",

@@ -1,5 +1,5 @@
-// figure9_equilibrium: Figure 9 of the paper. An arm holds its pose under CPIC when a payload appears: where does it
-// end up alone, with the published pipeline's compensation, and with the tracker's?
+// figure9_equilibrium: Figure 9 of the paper. An arm holds its pose under CPIC, and a payload is attached. How far does
+// the payload move the arm without compensation, with the published pipeline's compensation, and with the tracker's?
 //
 // Every trial draws its own sensor offsets and noise. With --output the first trial of each payload is written as CSV:
 // the errors over time, and the joint angles for a picture of the arm.
@@ -15,17 +15,17 @@ using namespace rme::examples;
 
 constexpr double kAttach = 1;    // [s]
 constexpr double kEnd = 6;       // [s]
-constexpr double kSteady = 0.5;  // the last part, over which the steady error is averaged [s]
+constexpr double kSteady = 0.5;  // length of the last part, over which the steady error is averaged [s]
 constexpr double kDegree = 180 / 3.14159265358979323846;
 constexpr double kPositionTarget = 4e-3, kOrientationTarget = 0.5;  // with the tracker [m], [degrees]
 
 constexpr const char* kUsage = R"(usage: rme_figure9_equilibrium [options]
 
-Figure 9 of the paper: six payloads on an arm that holds its pose, compensated by nobody, by the published pipeline, and by the
-tracker.
+Figure 9 of the paper: six payloads on an arm that holds its pose, without compensation, with that of the published
+pipeline, and with that of the tracker.
 
-Exit codes: 0 with the tracker, link-side sensing, every steady error is within 4 mm and 0.5 degrees (with --friction:
-smaller than alone); 1 not; 2 unusable arguments.
+Exit codes: 0 with the tracker and link-side sensing, every steady error is at most 4 mm and 0.5 degrees (with
+--friction: at most that without compensation); 1 not; 2 unusable arguments.
 
   --trials N        of each payload (default 5; 1 with --quick)
 )";
@@ -43,7 +43,7 @@ struct Result {
 };
 
 struct Files {
-  CsvFile errors, with, without;  // joint angles: with the tracker's compensation, and alone
+  CsvFile errors, with, without;  // errors; joint angles with the tracker's compensation, and without compensation
 };
 
 Result run_trial(const Setup& setup, const PublishedTrial& payload, std::uint64_t number, Method method, Files* files) {
@@ -113,8 +113,8 @@ int run(Arguments& arguments) {
     reached = reached && tracker.steady.position <= limit.position && tracker.steady.orientation <= limit.orientation;
   }
   std::printf(
-      "%s, seed %llu: position and orientation error %.1f to %.1f s after the attach,\n"
-      "the largest of %zu trials of each payload.\n\n",
+      "%s, seed %llu: position and orientation error, averaged from %.1f to %.1f s after the attach;\n"
+      "the largest average of %zu trials of each payload.\n\n",
       setup.name().c_str(), static_cast<unsigned long long>(setup.seed), kEnd - kSteady - kAttach, kEnd - kAttach,
       trials);
   steady.print();

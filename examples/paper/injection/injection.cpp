@@ -1,14 +1,14 @@
-// injection: is a payload found on a real arm, and do the intervals hold? Payloads added to a recording in which the
-// hand was empty.
+// injection: are payloads found on a real arm, and do the intervals hold the truth? Adds simulated payloads to a
+// recording in which the hand was empty.
 //
-// No log of a real arm comes with a hundred payloads whose truth is known, but one without any is easily had. A payload
-// of known mass and centre of mass exerts a known joint torque, inertia force included: added to what was recorded from
-// an instant on, it is what the arm would have reported had it moved the same. Noise, friction and the errors of the
-// arm's model stay those of the real arm.
+// A log of a real arm with a hundred known payloads is hard to obtain, a log without payload is not. A payload of known
+// mass and centre of mass exerts a known joint torque, inertial forces included. If this torque is added to the recorded
+// one from an instant on, the sum is what the arm would have reported if it had made the same motion with the payload.
+// Noise, friction and model errors remain those of the real arm.
 //
-// Prints, over random instants: the estimates where nothing was injected; those of payloads of a tenth to half of the
-// rated one that nobody announced, and of the same announced; and the estimates in the log as it is. Windows overlap
-// where the log is short, so that their errors are not independent.
+// Prints the estimates 1 s (--after) after random instants at which nothing is injected; the same for payloads of a
+// tenth to half of the rated payload, unannounced and announced with trigger(); and the estimates in the log as it is.
+// In a short log the windows overlap, so their errors are not independent.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -29,15 +29,16 @@ using namespace rme::examples;
 constexpr const char* kUsage =
     "usage: rme_injection LOG.csv[.gz] [options]\n"
     "\n"
-    "Adds payloads to a log in which the hand is empty, and says how good and how honest the estimates are.\n"
+    "Adds payloads to a log in which the hand is empty, and prints the errors and how often the intervals hold the "
+    "truth.\n"
     "\n";
 constexpr const char* kOwnUsage =
-    "  --windows N         instants at which a payload is added, in turn (100)\n"
-    "  --before S          for which the log is played before each [s] (5)\n"
-    "  --after S           after which what is believed is judged [s] (1)\n"
-    "  --span T0:T1        only what the log holds of [T0, T1) [s]\n"
+    "  --windows N         number of instants at which a payload is added, one at a time (100)\n"
+    "  --before S          how long the log is played before each instant [s] (5)\n"
+    "  --after S           how long after it the estimate is compared with the truth [s] (1)\n"
+    "  --span T0:T1        use only the log's rows of [T0, T1) [s]\n"
     "  --seed N            of everything random (1)\n"
-    "  --output DIR        write injection.csv there; the folder is made if need be. plot.py draws it\n"
+    "  --output DIR        write injection.csv there; the folder is created if it does not exist. plot.py draws it\n"
     "\n"
     "Exit codes: 0 done; 2 unusable arguments; 3 unusable log.\n";
 
@@ -64,7 +65,7 @@ Options parse(Arguments& arguments) {
   return options;
 }
 
-/// What is believed at one instant, beside the truth.
+/// The estimate at one instant and the truth.
 struct Scored {
   double t;  // of the injection [s]
   Eigen::Vector4d truth, error, deviation;
@@ -77,7 +78,7 @@ struct Table {
   int pushes = 0;
 };
 
-/// Instants and payloads: the same in all tables that have payloads.
+/// Draws instants and payloads, which are the same in all tables.
 std::vector<Injected> draw(const Options& options, const std::vector<double>& t, double rated) {
   std::mt19937_64 random(options.seed);
   const auto uniform = [&random](double from, double to) {
@@ -115,7 +116,7 @@ Table estimate(const char* name, const Options& options, const Log<Dofs>& log, c
     replayed.arm = settings.arm;
     replayed.estimator = settings.config;
     if (announced) replayed.at = injection.t;
-    replayed.window = 2 * options.after;  // longer than what is played: the last belief counts
+    replayed.window = 2 * options.after;  // longer than what is played, so that the last estimate counts
     Scored scored{injection.t, Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero(), false};
     const rme::Payload<double> truth = injection.payload.payload();
     scored.truth << truth.mass, truth.com;
@@ -165,7 +166,7 @@ void write_csv(const std::filesystem::path& folder, const std::vector<Table>& ta
   if (!file.flush()) throw LogError("--output: cannot write to " + folder.string());
 }
 
-/// What is believed of the log as it is.
+/// What is estimated in the log as it is: false payloads, as the hand is empty.
 template <int Dofs>
 void print_false_payloads(const Log<Dofs>& log, const Samples<Dofs>& samples, const ArmSettings<Dofs>& settings) {
   ReplayOptions<Dofs> options;

@@ -1,5 +1,5 @@
 #pragma once
-/// A recording of an empty hand, to which payloads are added afterwards.
+/// Adds payloads to a recording of an empty hand.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace rme::examples {
 
-/// How the end effector really moved at each sample: without the noise of a causal derivative.
+/// Motion of the end effector at each sample. The acceleration uses samples before and after it, and so is less noisy
+/// than one that a live host could compute.
 template <int Dofs>
 std::vector<FlangeMotion<double>> motion_of(const Log<Dofs>& log, const Samples<Dofs>& samples) {
   constexpr double kSlope = 0.02;  // the acceleration is the slope of the twist over this time to either side [s]
@@ -47,9 +48,10 @@ struct Injected {
   InertialParameters<double> payload;
 };
 
-/// The samples from `begin` to `end` [s], with what the payload would have added to their external torque: the wrench
-/// of its ten inertial parameters with the end effector's motion, seen through the observer's filter. An observer is
-/// linear in the measured torque, so that this is also what comes out if the torque is taken off the measured one.
+/// The samples from `begin` to `end` [s], with the torque that the payload would have added to their external torque:
+/// that of the wrench of its ten inertial parameters under the end effector's motion, passed through the observer's
+/// filter. An observer is linear in the measured torque, so the result is the same as if the payload's torque were
+/// subtracted from the measured torque before the observer.
 template <int Dofs>
 Samples<Dofs> injected(const Log<Dofs>& log, const Samples<Dofs>& samples,
                        const std::vector<FlangeMotion<double>>& motion, const Eigen::Vector3d& gravity,
@@ -58,7 +60,7 @@ Samples<Dofs> injected(const Log<Dofs>& log, const Samples<Dofs>& samples,
   out.bandwidth = samples.bandwidth;
   out.sign = samples.sign;
   out.timing = samples.timing;
-  JointVector<double, Dofs> seen = JointVector<double, Dofs>::Zero();  // of the payload, by the observer
+  JointVector<double, Dofs> seen = JointVector<double, Dofs>::Zero();  // payload's torque after the observer's filter
   for (std::size_t i = 0; i < samples.sample.size(); ++i) {
     const double t = log.t[samples.row[i]];
     if (t < begin || t > end) continue;

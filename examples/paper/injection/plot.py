@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Draws what rme_injection --output DIR has written.
 
-Left, each estimated mass with its 90 % interval over the true one; right, how often intervals of every level hold the
-true mass. Colours: whether the estimator was told of the payload.
+Left, each estimated mass with its 90 % interval over the true mass; right, how often intervals of every level hold the
+true mass. The colours show whether the payload was announced to the estimator.
 """
 import math
 import pathlib

@@ -1,9 +1,10 @@
-// limit_cycle: the arm turns on a circle in the y-z plane under CPIC, and a payload is attached while it moves.
+// limit_cycle: the flange moves on a circle in the y-z plane under CPIC, and a payload is attached while it moves.
 //
-// The weight acts in the plane of the cycle. Where it exceeds the force that drives the arm round, lambda_1 w r = 6 N,
-// the sum of both has a stable equilibrium: without compensation the arm stops there, in a spurious attractor. Lighter
-// payloads let it turn on, off the cycle. With the tracker's compensation it returns to the cycle. Gains and speed are
-// the defaults of LimitCycle and PassiveController: 60 and 90 N s/m, 2 1/s, 1 rad/s.
+// The weight acts in the plane of the circle. If it exceeds the force that drives the flange along the circle,
+// lambda_1 w r = 6 N, the sum of both forces has a stable equilibrium: without compensation the arm stops there, in a
+// spurious attractor. With a lighter payload the flange moves on, beside the circle. With the tracker's compensation it
+// returns to the circle. Gains and speed are the defaults of LimitCycle and PassiveController: 60 and 90 N s/m, 2 1/s,
+// 1 rad/s.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,24 +24,24 @@ constexpr double kAllowance = 1e-3;  // on that of the empty hand, with friction
 constexpr double kAtRest = 0.005;    // slower than this over the last second, the arm has stopped [m/s]
 const double kTurn = 2 * kPi / rme::LimitCycleConfig<double>().angular_speed;  // [s]
 
-constexpr double kShown = 1.1;  // payload of the two CSV files that follow a path [kg]
+constexpr double kShown = 1.1;  // payload of the CSV files that follow a path [kg]
 constexpr const char* kPathColumns = "t,y,z,distance,m,mass";
 
 constexpr const char* kUsage = R"(usage: rme_limit_cycle [options]
 
-The arm turns on a cycle and a payload of Table 2 is attached while it moves; compensated by nobody, by the published
-pipeline, and by the tracker.
+The flange moves on a circle, and a payload of Table 2 is attached while it moves. Compares no compensation with that of
+the published pipeline and that of the tracker.
 
   --trials N        of each payload (default 4; 1 of two payloads with --quick)
 )";
 
 constexpr const char* kExitCodes = R"(
-Exit codes: 0 every payload is found and, with the tracker, the mean distance to the cycle in the turn that begins one
-turn after the attach is at most 5 mm (with --friction, which takes the empty hand off the cycle as well: at most 1 mm
+Exit codes: 0 the tracker finds every payload and, with its compensation, the mean distance to the cycle in the second
+turn after the attach is at most 5 mm (with --friction, which moves the empty hand off the cycle as well: at most 1 mm
 more than before the attach); 1 otherwise; 2 unusable arguments.
 )";
 
-/// Where the flange is, seen from the cycle.
+/// Where the flange is, relative to the cycle.
 struct CyclePoint {
   Vector3d offset;  // from the centre, world axes [m]
   double distance() const { return std::hypot(offset.x(), offset.tail<2>().norm() - kRadius); }
@@ -54,13 +55,13 @@ struct Turn {
 };
 
 struct Outcome {
-  std::array<Turn, 3> turns;             // before the attach, from it on, and after that
+  std::array<Turn, 3> turns;             // the turn before the attach, and the two turns after it
   double outside = 0;                    // last time after the attach that the distance exceeded kTarget [s]
   double last_speed = 0;                 // mean over the last second [m/s]
-  std::optional<double> noticed, found;  // that something changes; the payload, after the attach [s]
-  Vector4d error = Vector4d::Zero();     // of what is believed in the end
+  std::optional<double> noticed, found;  // when a change was noticed and the payload found, after the attach [s]
+  Vector4d error = Vector4d::Zero();     // of the last estimate
 
-  // A path that crosses the cycle does not stay for the last half of a turn.
+  // A path that only crosses the cycle is not within kTarget for the whole of the last half turn.
   bool returned() const { return outside < 1.5 * kTurn; }
   bool at_rest() const { return last_speed < kAtRest; }
 };
@@ -205,15 +206,14 @@ int run(Arguments& arguments) {
   std::printf("%s, %zu trial(s) of each payload, seed %llu. A cycle of %.0f mm radius in %.1f s.\n\n",
               setup.name().c_str(), trials, static_cast<unsigned long long>(setup.seed), 1e3 * kRadius, kTurn);
   std::printf(
-      "Distance to the cycle: mean over a turn, and worst. Progress in the turn after the attach: 1 if the phase keeps "
-      "up.\n"
-      "Stopped: slower than %.0f mm/s in the end. Back: from when on the distance stays below %.0f mm, for half a turn "
-      "at\n"
-      "least; the longest of all trials, 0 if it never was above.\n\n",
+      "Columns of turns: distance to the cycle, mean over the turn; worst. Progress: share of the last turn that the\n"
+      "arm completes. Stopped: trials in which the arm is slower than %.0f mm/s at the end. Back: time since the\n"
+      "attach after which the distance stays below %.0f mm for the rest of the trial, at least half a turn; the\n"
+      "longest of the trials that return, 0 if the distance is never larger.\n\n",
       1e3 * kAtRest, 1e3 * kTarget);
   cycle.print();
   std::printf(
-      "Estimates on the moving arm: the latest time of all trials; mean absolute error one turn after the attach.\n\n");
+      "Estimates on the moving arm: longest time of all trials; mean absolute error two turns after the attach.\n\n");
   estimates.print();
   std::printf("Payloads that the tracker did not find: %d of %llu.\n\n", missed,
               static_cast<unsigned long long>(number));

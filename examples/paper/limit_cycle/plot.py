@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Draws what rme_limit_cycle --output DIR has written.
 
-Left, the path of the flange in the y-z plane: the turn before the attach, and what follows it, by who compensates.
-Right, the distance to the cycle over time.
+Left, the path of the flange in the y-z plane: the turn before the attach, and the path after it, for each method of
+compensation. Right, the distance to the cycle over time.
 """
 import pathlib
 import sys

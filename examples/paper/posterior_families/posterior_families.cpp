@@ -1,15 +1,15 @@
-// posterior_families: how much accuracy does a simpler posterior cost, or the published solver?
+// posterior_families: how much accuracy is lost with a simpler family of posteriors, or with the published solver?
 //
-// Simulates a Panda in random poses that holds still under an impedance law; its torque sensors have noise and offsets,
-// its joints friction, which the sensors of every other arm feel. After one second an unknown payload hangs on its
-// flange, and 200 ms of samples are collected once the arm has settled, as in the paper. All four solvers then infer
-// from the same numbers: the exact posterior, the Gaussian of full covariance, the diagonal Gaussian, and the published
-// stochastic ELBO; first with a likelihood whose observer is matched and whose offset and friction are marginalised,
-// then with the published one (50 samples, white noise). The last line is the inference as it was published, but for
-// the prior: there is no network here, and the same fixed prior serves all.
+// Simulates a Panda that holds a random pose under an impedance law. Its torque sensors have noise and offsets, its
+// joints have friction, and in every other arm the sensed torque contains the friction. After one second an unknown
+// payload is attached to the flange, and 200 ms of samples are collected once the arm has settled, as in the paper. All
+// four solvers then infer from the same samples: the exact posterior, the Gaussian of full covariance, the diagonal
+// Gaussian, and the published stochastic ELBO. They do so first with a likelihood in which the observer is matched and
+// offset and friction are marginalised, then with the published one (50 samples, white noise). The last line is the
+// published inference but for the prior: there is no network here, and all solvers use the same fixed prior.
 //
 // Prints the mean absolute error of each parameter, how often its 90 % interval holds the truth, by how much the ELBO
-// is below the exact evidence, and the time of one call.
+// is below the exact log evidence, and the time of one call.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -40,22 +40,22 @@ using Likelihood = rme::PayloadLikelihood<double>;
 using Sums = rme::PayloadStatistics<double, 7>;
 using Window = rme::SampleWindow<double, 7>;
 
-constexpr double kAttach = 1;     // when the payload comes [s]
-constexpr double kSettled = 1.5;  // from then until samples are collected: the arm sags no more [s]
+constexpr double kAttach = 1;     // time of the attach [s]
+constexpr double kSettled = 1.5;  // from the attach until samples are collected: the arm sags no more [s]
 constexpr int kCollected = 200;   // samples, as in the paper
-constexpr int kQuiet = 300;       // samples before the attach that tell the sensors' offsets
+constexpr int kQuiet = 300;       // samples before the attach, from which the sensors' offsets are estimated
 
 constexpr const char* kUsage =
     R"(usage: rme_posterior_families [options]
 
-Infers the same simulated payloads with four solvers and two likelihoods, and says how good each is and what it costs.
+Infers the same simulated payloads with four solvers and two likelihoods, and prints the errors and the time of each.
 
   --events N        payloads (default 1000)
-  --truth NAME      where they come from: prior (the one that is inferred with, default) or uniform (0.2 to 2 kg).
-                    Exact posteriors hold the truth as often as they say only of what the prior expects
+  --truth NAME      distribution of the payloads: prior (that of the inference, default) or uniform (0.2 to 2 kg).
+                    Only with prior do exact posteriors hold the truth as often as they state
   --seed N          of everything random (default 1)
-  --quick           100 payloads; fails unless the bounds are ordered as they must be, the intervals of exact and full
-                    posteriors hold what they should, and those of the diagonal one less
+  --quick           100 payloads; fails unless the ELBOs are ordered as they must be, the intervals of the exact and the
+                    full posterior hold the truth often enough, and those of the diagonal one less often
   --help            this text
 
 Exit codes: 0 done; 1 an inference failed, or what --quick checks; 2 unusable arguments.
@@ -84,7 +84,8 @@ Options parse(Arguments& arguments) {
   return options;
 }
 
-/// The newest `count` samples, the observer's lag taken out of their torque or not. The arm is at rest, or nearly so.
+/// The sample of this age (0: the newest). The arm is at rest, or nearly so.
+/// @param matched  whether the observer's lag is removed from the torque
 rme::PayloadObservation<double, 7> observation(const Window& window, int age, bool matched) {
   const auto& s = window.newest(static_cast<std::size_t>(age));
   return {matched ? s.tau : s.raw.tau_ext,
@@ -102,7 +103,7 @@ void require_ok(rme::Status status) {
   if (status != rme::Status::Ok) throw std::runtime_error(to_string(status));
 }
 
-/// What a run of the arm says about its payload, to either likelihood.
+/// The true payload of a run, and the two likelihoods of the samples.
 struct Data {
   Eigen::Vector4d truth;
   Likelihood likelihood[kModels];
@@ -142,13 +143,13 @@ Data simulate(const Options& options, std::size_t run) {
   return data;
 }
 
-/// What one solver has said, of all events.
+/// One solver's answers for all events.
 struct Answers {
   std::vector<Scored> scored;
   std::vector<double> log_evidence, microseconds;
 };
 
-/// Asks a solver about all events, timing each call.
+/// Runs a solver on all events, and measures the time of each call.
 /// @param solver  callable (const Likelihood&, rme::InferenceResult<double>&) -> rme::Status
 template <typename Infer>
 Answers ask(const std::vector<Data>& events, std::size_t model, const Infer& solver) {
@@ -170,13 +171,13 @@ Answers ask(const std::vector<Data>& events, std::size_t model, const Infer& sol
   return answers;
 }
 
-/// Asks all solvers.
+/// Runs all solvers.
 std::array<Answers, kSolvers> ask_all(const std::vector<Data>& events, std::size_t model, std::uint64_t seed) {
   const auto prior = rme::FixedPrior<double>().gaussian;
   std::mt19937_64 random(seed);
   const auto with = [&](const auto& config, auto&... generator) {
     return ask(events, model, [&](const Likelihood& likelihood, rme::InferenceResult<double>& result) {
-      return infer(likelihood, prior, result, config, generator...);
+      return infer_payload(likelihood, prior, result, config, generator...);
     });
   };
   return {with(rme::ExactQuadrature()), with(rme::VariationalInferenceConfig()), with(rme::MeanFieldConfig()),
@@ -200,7 +201,7 @@ void print(const char* name, const Answers& answers, const Answers& exact) {
   std::printf(" | %8.3f | %8.1f\n", gap, times[times.size() / 2]);
 }
 
-/// What --quick asks of the likelihood that marginalises. @return whether all of it holds
+/// What --quick checks, with the likelihood that marginalises. @return whether all of it holds
 bool check(const std::array<Answers, kSolvers>& answers) {
   bool good = true;
   const auto expect = [&good](bool holds, const char* what) {

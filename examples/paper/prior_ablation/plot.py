@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Draws what rme_prior_ablation --output DIR has written, after Figure 10 of the paper.
 
-Parity plots of the arms with link-side sensing: each parameter's estimate over its truth, on the dotted line if perfect.
-A row for the network alone, the published pipeline and the tracker, half a second after the attach; a colour for with
-the network and without.
+Parity plots for the arms with link-side sensing: each parameter's estimate over its true value. Perfect estimates are on the
+dotted line. The rows are the network alone, the published pipeline, and the tracker half a second after the attach; the
+colours tell estimates with the network from those without.
 """
 import pathlib
 import sys

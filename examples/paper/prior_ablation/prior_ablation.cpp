@@ -1,16 +1,16 @@
-// prior_ablation: what is the network's guess worth as a prior? Figure 10 of the paper, and the same question for the
-// tracker.
+// prior_ablation: how much does the network's guess improve the estimates if it is used as the prior? Figure 10 of the
+// paper, and the same question for the tracker.
 //
-// Simulates a Panda in random poses that holds still under an impedance law, with the tracker's compensation; its
-// torque sensors have noise and offsets, its joints friction, which the sensors of one kind of arm feel. After one
-// second an unknown payload hangs on its flange. The same samples then go to
+// Simulates a Panda that holds a random pose under an impedance law, with the tracker's compensation. Its torque
+// sensors have noise and offsets, its joints have friction, and in one of two kinds of arm the sensed torque contains
+// the friction. After one second an unknown payload is attached to the flange. The same samples are then passed to
 //  - the network alone, half a second after the attach;
 //  - the published pipeline with the network, and with a prior of the same widths around zero (Appendix D);
-//  - trackers that expect different things of an exchange: what PayloadPrior says of any Panda, or what the network
-//    makes of what came after the attach, asked 50 ms, 100 ms and 0.5 s after it: once with NetworkPrior, which leaves
-//    the centre of mass along gravity to the fixed prior, and once as it was published, with its guess for all. The
-//    tracker then runs over all samples again: it knows the guess before it sees what the guess was made from, so that
-//    no way of putting the network into the tracker could do more.
+//  - trackers with different priors of what may be picked up. The first has the default PayloadPrior. The others have
+//    the network's guess from the samples of the first 50 ms, 100 ms or 0.5 s after the attach: either through
+//    NetworkPrior, which takes the centre of mass along gravity from the fixed prior, or as published, with the
+//    guess for all parameters. These trackers run over all samples from the start, so they have the guess as prior
+//    before they get the samples that it was made from. No way of using the network in the tracker could do more.
 // Prints the mean square error of each parameter and how often its 90 % interval holds the truth.
 #include <algorithm>
 #include <array>
@@ -38,15 +38,15 @@ namespace {
 using namespace rme::examples;
 using Eigen::Vector4d;
 
-constexpr double kAttach = 1;     // when the payload comes [s]
-constexpr double kWatched = 2;    // for how long the published pipeline may go on estimating from then on [s]
-constexpr double kEarned = 0.8;   // of the mean square error without the network: a parameter with less has gained
-constexpr double kHarmed = 1.02;  // and one with more has lost
+constexpr double kAttach = 1;     // time of the attach [s]
+constexpr double kWatched = 2;    // time after the attach during which the published pipeline may estimate [s]
+constexpr double kEarned = 0.8;   // a parameter has gained if its mean square error falls to this share or less
+constexpr double kHarmed = 1.02;  // and has lost if it grows to more than this
 
 constexpr const char* kUsage =
     R"(usage: rme_prior_ablation --weights W.json [options]
 
-Infers simulated payloads with the network's guess as prior and without, and says how far off they are.
+Infers simulated payloads with the network's guess as prior and without, and prints the errors.
 
   --weights W.json  the network: examples/models/panda.json
   --data-sets N     payloads to simulate on each kind of arm (default 500; 60 with --quick)
@@ -87,10 +87,10 @@ Options parse(Arguments& arguments) {
   return options;
 }
 
-/// When the network is asked and the tracker is judged, after the attach.
+/// When the network's guess is made and the tracker's estimate is read.
 struct Instant {
-  double t;        // [s]
-  double spacing;  // of the 20 samples that the network sees [s]: as many as fit behind the attach, 10 ms at most
+  double t;        // after the attach [s]
+  double spacing;  // of the network's 20 input samples, so that all of them are after the attach; at most 10 ms [s]
   const char* name;
 };
 constexpr std::array<Instant, 3> kInstants = {{{0.05, 0.002, "50 ms"}, {0.1, 0.005, "100 ms"}, {0.5, 0.01, "0.5 s"}}};
@@ -102,11 +102,11 @@ constexpr const char* kSourceNames[] = {"tracker", "tracker, network across grav
 using Gaussian = rme::PayloadGaussian<double>;
 using Samples = std::vector<rme::Proprioception<double, 7>>;
 
-/// One data set: what is true, and what was made of it.
+/// One data set: the true payload and all estimates of it.
 struct DataSet {
   Vector4d truth;
-  std::optional<Vector4d> guess;                    // of the network, unless the window was foreign to it
-  std::optional<Gaussian> with_network, with_zero;  // in the published pipeline; none if it has made no estimate
+  std::optional<Vector4d> guess;                    // the network's; none if the window is too unlike its training data
+  std::optional<Gaussian> with_network, with_zero;  // the published pipeline's; none if it has made no estimate
   std::array<std::array<Gaussian, kInstants.size()>, kSources> tracker;
 };
 
@@ -118,7 +118,7 @@ rme::PayloadPrior<double> any_payload() {
   return rme::PayloadPrior<double>::of(rme::EstimatorConfig<double, 7>().rated_payload);
 }
 
-/// What the network says of the samples up to an instant, as the tracker wants it.
+/// The network's guess from the samples up to an instant, as a prior for the tracker.
 std::optional<rme::PayloadPrior<double>> prior_of(const NetworkFile& file, const Samples& samples,
                                                   const Instant& instant, Source source) {
   rme::NetworkPriorConfig<double> config = file.config;
@@ -143,7 +143,8 @@ std::optional<rme::PayloadPrior<double>> prior_of(const NetworkFile& file, const
                                    spread.tail<3>()};
 }
 
-/// What a tracker believes at an instant, if that is the prior of what it may find.
+/// A tracker's estimate at an instant.
+/// @param prior  of what may be picked up; none: the default
 Gaussian track(const Samples& samples, const Instant& instant, const std::optional<rme::PayloadPrior<double>>& prior) {
   rme::EstimatorConfig<double, 7> config;
   config.payload = prior;
@@ -166,7 +167,7 @@ std::optional<Gaussian> published(const Samples& samples, const Network& network
 DataSet simulate(const Options& options, Kind kind, std::size_t run) {
   RandomHost random(options.seed, run);
   Draw draw = random.draw(kind, std::nullopt);
-  // Poses as the network was trained in, if not these.
+  // --pose any: poses like those of the network's training data.
   draw.start = options.ready ? Torque(panda().ready + Torque::NullaryExpr([&] { return random.normal(0, 0.1); }))
                              : random_panda_pose([&](double low, double high) { return random.uniform(low, high); });
   draw.target = draw.start + Torque::NullaryExpr([&] { return random.normal(0, 0.005); });
@@ -200,7 +201,7 @@ DataSet simulate(const Options& options, Kind kind, std::size_t run) {
   return out;
 }
 
-/// What one way of inferring says of all data sets.
+/// One method's estimates of all data sets.
 struct Answers {
   std::vector<Scored> all;
   void add(const Vector4d& truth, const Gaussian& answer) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Draws what rme_sequential_interaction --output DIR has written.
 
-From above: the mass that is believed in against the truth, the position error, the distance of the nearest joint to its
-limit, by who compensates. Pushes are shaded.
+From above, for each method of compensation: the estimated and the true mass, the position error, and the distance of the
+nearest joint to its limit. Pushes are shaded.
 """
 import pathlib
 import sys
@@ -17,7 +17,7 @@ PUSH, FORBIDDEN = "#e8e8e8", "#f6d5d5"
 
 
 def spans(t, active):
-    """(begin, end) of each time that something was going on [s]."""
+    """(begin, end) of each time span in which `active` is true [s]."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], active, [False]]).astype(int)))
     t = np.append(t, t[-1])
     return [(t[a], t[b]) for a, b in edges.reshape(-1, 2)]

@@ -1,11 +1,11 @@
 // sequential_interaction: a basket is hung on the arm, two objects are put in and taken out again, the basket is taken
-// off, and after each of these somebody pushes the arm. Is every change of the payload found, no push taken for one,
-// and does the arm stay where it should? Alone it sinks until a joint limit holds it; the published pipeline takes
-// pushes for payloads.
+// off, and after each of these changes somebody pushes the arm. Is every change of the payload found, is no push taken
+// for a payload, and does the arm hold its pose? Without compensation the arm sinks until a joint limit holds it; the
+// published pipeline takes pushes for payloads.
 //
-// The arm holds a low pose near its base, 0.13 rad from the lower limit of joint 4, under CPIC. Two of the hand-overs
-// take half a second. Pushes are 5 to 15 N for 0.5 to 1.5 s, within 45 degrees of the horizontal: straight down, a push
-// on the flange is what a payload is.
+// The arm holds a low pose near its base, 0.13 rad from the lower limit of joint 4, under CPIC. Two of the changes take
+// half a second. Pushes have 5 to 15 N, last 0.5 to 1.5 s and are within 45 degrees of the horizontal, since a push
+// straight down on the flange cannot be told from a payload.
 #include <algorithm>
 #include <cmath>
 #include <cpic_host/energy_books.hpp>
@@ -20,10 +20,10 @@ namespace {
 using namespace rme::examples;
 using Eigen::Vector3d;
 
-constexpr double kJudged = 1.5;                // after a change begins [s]
-constexpr double kTarget = 0.006;              // position error then [m]
-constexpr double kFound = 0.1;                 // a belief this near to the truth has found the change [kg]
-constexpr double kCarried = 0.2;               // for which a push may pass for a payload [s]
+constexpr double kJudged = 1.5;                // the position error is read this long after a change begins [s]
+constexpr double kTarget = 0.006;              // largest position error then [m]
+constexpr double kFound = 0.1;                 // a change is found if the mass is this near to the truth [kg]
+constexpr double kCarried = 0.2;               // how long a push may be taken for a payload [s]
 const double kHeld = 2 * HostConfig().margin;  // this near to its limit, a joint is held by its barrier [rad]
 constexpr double kSlow = 0.5;                  // hand-over [s]
 constexpr double kBetween = 10;                // from one change to the next [s]
@@ -31,16 +31,16 @@ const Trial::Vector kPose = (Trial::Vector() << 0, -0.93, 0, -2.94, 0, 2.02, 0.7
 
 constexpr const char* kUsage = R"(usage: rme_sequential_interaction [options]
 
-A basket and two objects come and go, a person pushes in between; compensated by nobody, by the published pipeline, and
-by the tracker.
+A basket and two objects are attached and removed, and a person pushes in between. Compares no compensation with that of
+the published pipeline and that of the tracker.
 
   --runs N          through the whole sequence (default 5; 1 of them, without object 2, with --quick)
 )";
 
 constexpr const char* kExitCodes = R"(
 Exit codes: 0 with the tracker every change is found, no push is taken for a payload, joint limits are kept, and the
-position error 1.5 s after each change is at most 6 mm (with --friction, which holds the arm back anywhere, it is only
-reported); 1 otherwise; 2 unusable arguments.
+position error 1.5 s after the beginning of each change is at most 6 mm (with --friction, which can stop the arm in any
+position, it is only reported); 1 otherwise; 2 unusable arguments.
 )";
 
 struct Item {
@@ -63,7 +63,7 @@ struct Change {
   Push push = {};    // what follows it
 };
 
-/// The same changes each time; when, and what pushes follow, is drawn. Without object 2 if it has to be quick.
+/// The same changes in each run, at random times and with random pushes; without object 2 with --quick.
 std::vector<Change> draw_script(std::mt19937_64& random, bool quick) {
   std::vector<Change> script = {{"basket attached", 0, true, 0},   {"object 1 added, slowly", 1, true, kSlow},
                                 {"object 2 added", 2, true, 0},    {"object 2 removed, slowly", 2, false, kSlow},
@@ -82,17 +82,17 @@ std::vector<Change> draw_script(std::mt19937_64& random, bool quick) {
   return script;
 }
 
-/// Of the joint that is next to its mechanical limit [rad].
+/// Distance of the joint that is nearest to its mechanical limit [rad].
 double distance_to_limit(const SyntheticArm<7>& arm) {
   return std::min((panda().q_max - arm.q()).minCoeff(), (arm.q() - panda().q_min).minCoeff());
 }
 
-/// What was made of a change, until somebody pushes.
+/// What a method found of a change, until somebody pushes.
 struct Finding {
   double truth = 0;                // mass of all that is in the hand [kg]
-  double mass = 0, deviation = 0;  // believed before the push comes [kg]
-  std::optional<double> carried;   // from then on, what is believed is within kFound of the truth [s] after the change
-  double position = 0;             // position error kJudged after that [m]
+  double mass = 0, deviation = 0;  // estimate before the push, and its standard deviation [kg]
+  std::optional<double> carried;   // time after the change from which the mass stays within kFound of the truth [s]
+  double position = 0;             // position error kJudged after the change began [m]
   double limit = 10;               // least distance of a joint to its limit [rad]
 
   void update(const Trial& trial, Method method, double t) {
@@ -110,10 +110,10 @@ struct Finding {
   bool found() const { return carried.has_value(); }
 };
 
-/// What was made of a push, from its start to the next change.
+/// What happened in a push, from its start to the next change.
 struct Endurance {
   double mistaken = 0;  // longest time for which more than kFound of it was taken for a payload [s]
-  double lifted = 0;    // most of it that was taken for one [kg]
+  double lifted = 0;    // largest mass that the push was taken for [kg]
   double work = 0;      // of the person on the arm [J]
   double gain = 0;      // largest rise of stored minus supplied energy [J]
   double limit = 10;    // least distance of a joint to its limit [rad]
@@ -254,9 +254,9 @@ int run(Arguments& arguments) {
   }
 
   std::printf(
-      "%s, %zu run(s), seed %llu. The first run: the mass that is estimated before the push, the time from which on "
-      "it\n"
-      "stays within %.1f kg, and the position error %.1f s after the beginning of each change:\n\n",
+      "%s, %zu run(s), seed %llu. In the first run: the mass that is estimated before the push, the time after which "
+      "the\n"
+      "estimate stays within %.1f kg, and the position error %.1f s after the beginning of each change:\n\n",
       setup.name().c_str(), runs, static_cast<unsigned long long>(setup.seed), kFound, kJudged);
   std::mt19937_64 any;
   print_run({outcomes[0].front(), outcomes[1].front(), outcomes[2].front()}, draw_script(any, setup.quick));

@@ -5,7 +5,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 from plotting import COLOURS, column, main, plt, read
 
-# Table 2 of the paper: payload mass and the mean that the published system estimated on the real arm.
+# Table 2 of the paper: payload mass [kg], and the mean of the published estimates on the real arm (m, x, y, z) [kg, m].
 PUBLISHED = {0.3: (0.380, -0.04, 0.02, 0.13), 0.5: (0.511, 0.04, 0.01, 0.15), 0.7: (0.681, 0.07, 0.00, 0.14),
              0.9: (0.861, 0.07, -0.02, 0.11), 1.1: (1.053, 0.07, 0.00, 0.00), 1.29: (1.269, 0.05, 0.00, 0.00)}
 PARAMETERS = (("m", "mass [g]"), ("x", "x [mm]"), ("y", "y [mm]"), ("z", "z [mm]"))

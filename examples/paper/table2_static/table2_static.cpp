@@ -1,11 +1,12 @@
-// table2_static: Table 2 of the paper. An arm holds its pose under CPIC; one of six payloads is attached, ten times
-// each; what do the published pipeline and the tracker say, beside what was published of the real arm?
+// table2_static: Table 2 of the paper. An arm holds its pose under CPIC, and one of six payloads is attached, in ten
+// trials for each. Compares the estimates of the published pipeline and of the tracker with the published ones, which
+// are from a real arm.
 //
-// Every trial draws its own pose (0.1 rad around the ready pose), sensor offsets, noise and, if asked for, friction,
-// and is run again for each method, with the compensation of the one that is judged. An arm that has not moved yet does
-// not show whether its torque sensing sees friction: the tracker then allows for it, unless it is told. The published
-// pipeline usually estimates twice, the first time as soon as something changes: both are judged, the tracker by what
-// it says when it calls the event over, and both by what they say two seconds after the attach.
+// Every trial draws its own pose (0.1 rad around the ready pose), sensor offsets, noise and, with --friction, friction.
+// It is run once for each method, with the compensation of that method. As long as an arm has not moved, the tracker
+// cannot know whether the torque contains friction, and allows for it unless it is told. Each method is judged by its
+// first estimate and by its estimate two seconds after the attach. The first estimate of the published pipeline often
+// comes as soon as something changes; that of the tracker is the one at the end of the event.
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -25,20 +26,21 @@ constexpr const char* kUsage = R"(usage: rme_table2_static [options]
 
 Table 2 of the paper: six payloads, ten trials each, on an arm that holds its pose.
 
-Exit codes: 0 the tracker found every payload, and the mean absolute errors of its six means are within 30 g, told of
-the sensing within 8 g, 5 mm and 5 mm (mass, x, y; with --friction the mass within 30 g); 1 not; 2 unusable arguments.
+Exit codes: 0 the tracker found every payload, and the mean absolute error of its six means is at most 30 g (mass); that
+of the tracker that is told of the sensing at most 8 g, 5 mm and 5 mm (mass, x, y), with --friction 30 g (mass); 1 not;
+2 unusable arguments.
 
   --trials N        of each payload (default 10; 2 with --quick)
 )";
 
-/// What a method said at one instant.
+/// A method's estimate at one instant.
 struct Reading {
-  Vector4d error, deviation;  // estimate less truth; its own standard deviation
-  double after;               // attach to this [s]
+  Vector4d error, deviation;  // estimate minus truth; the standard deviation that the method states
+  double after;               // time since the attach [s]
 };
 
 struct Result {
-  std::optional<Reading> first;  // if the payload was found at all
+  std::optional<Reading> first;  // nothing if the payload was not found
   Reading settled;
 };
 

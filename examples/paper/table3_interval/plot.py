@@ -11,7 +11,7 @@ INTERVALS = (0.05, 0.1, 0.2, 0.3)
 
 
 def draw(folder):
-    """Root of the mean squared errors over the length of the data, of all."""
+    """Root mean square error of each method over the length of the data."""
     rows = read(folder / "errors.csv")
     figure, axes = plt.subplots(1, 4, figsize=(10, 2.6), constrained_layout=True)
     for axis, key in zip(axes, PUBLISHED):

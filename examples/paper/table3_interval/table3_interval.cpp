@@ -1,10 +1,11 @@
 // table3_interval: Table 3 of the paper. How much does the length of the collection interval matter?
 //
-// Published pipelines with four collection intervals and the tracker listen to one arm, which nobody compensates, since
-// the first estimate of the published system found it so. A collection interval begins when the detector fires. A
-// pipeline usually estimates twice, the first time as soon as something changes, so that transients are in it: a second
-// table has what it says in the end. The tracker has no interval: it is read that long after the attach itself. An
-// arm that has not moved yet does not show whether its sensing sees friction, so that it allows for it unless told.
+// Published pipelines with four collection intervals and the tracker get the samples of one arm. The payload is not
+// compensated, since it was not when the published system made its first estimate. A collection interval begins with a
+// detection. A pipeline usually estimates twice. The first estimate comes as soon as something changes, and so contains
+// transients; a second table has the last estimate. The tracker has no interval: its estimate is read the same time
+// after the attach. As long as an arm has not moved, the tracker cannot know whether the torque contains friction, and
+// allows for it unless it is told.
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -18,7 +19,7 @@ using namespace rme::examples;
 using Eigen::Vector4d;
 
 constexpr double kAttach = 1;                                        // [s]
-constexpr double kPatience = 2;                                      // for estimates after that [s]
+constexpr double kPatience = 2;                                      // time after the attach for estimates [s]
 constexpr std::array<double, 4> kIntervals = {0.05, 0.1, 0.2, 0.3};  // [s]
 
 // Mean squared errors as published [kg^2], [m^2].
@@ -30,8 +31,9 @@ constexpr const char* kUsage = R"(usage: rme_table3_interval [options]
 
 Table 3 of the paper: mean squared errors after 50, 100, 200 and 300 ms of data.
 
-Exit codes: 0 the tracker knew of every payload after 300 ms and, with link-side sensing, the published errors at 200 ms
-are at least 5 times those of the tracker that is told so (2 times along the flange); 1 not; 2 unusable arguments.
+Exit codes: 0 the tracker knew of every payload after 300 ms and, with link-side sensing, the published squared errors at
+200 ms are at least 5 times those of the tracker that is told of the sensing (2 times along the flange's axis); 1 not;
+2 unusable arguments.
 
   --data-sets N     payloads, drawn at random from 0.3 to 1.3 kg (default 110; 11 with --quick)
 )";
@@ -57,7 +59,7 @@ DataSet draw(const Setup& setup, std::uint64_t number) {
   std::uniform_real_distribution<double> uniform;
   DataSet set;
   for (int i = 0; i < 7; ++i) set.q[i] = panda().ready[i] + spread(random);
-  // The ranges of Table 2, widened: mass, across the flange, along it.
+  // The ranges of Table 2, widened: mass, centre of mass across and along the flange's axis.
   set.truth << 0.3 + uniform(random), 0.12 * uniform(random) - 0.06, 0.12 * uniform(random) - 0.06,
       0.08 + 0.1 * uniform(random);
   return set;
@@ -155,7 +157,8 @@ int run(Arguments& arguments) {
   print("tracker, since the attach", means(errors.tracker));
   print("tracker told of the sensing", means(errors.told));
   std::printf(
-      "The pipeline estimated %zu, %zu, %zu, %zu of %zu payloads. The tracker knew of %zu of them after %.0f ms.\n",
+      "With the four intervals, the pipeline estimated %zu, %zu, %zu, %zu of %zu payloads. The tracker knew of %zu of "
+      "them\nafter %.0f ms.\n",
       errors.first[0].count, errors.first[1].count, errors.first[2].count, errors.first[3].count, sets, errors.known,
       1e3 * kIntervals[3]);
   const Vector4d ratio = kPublished[2].cwiseQuotient(errors.told[2].mean());

@@ -81,7 +81,7 @@ Status add_barrier(const BarrierValue<Scalar, Dofs>& barrier, const JointVector<
   return rows.add(barrier.gradient, bound, rows.kFree, weight);
 }
 
-/// A point of the arm in motion, world axes: the input of half_space() and sphere() (docs/theory_control.md (C12)).
+/// A point of the arm in motion, world axes: the input of half_space_barrier() and sphere_barrier() (docs/theory_control.md (C12)).
 template <typename Scalar, int Dofs>
 struct PointMotion {
   Vector3<Scalar> position;                 ///< x [m]
@@ -95,8 +95,8 @@ struct PointMotion {
 /// @param normal  n, of unit length, world axes
 /// @param offset  of the plane from the world's origin, along n [m]
 template <typename Scalar, int Dofs>
-BarrierValue<Scalar, Dofs> half_space(const PointMotion<Scalar, Dofs>& point, const Vector3<Scalar>& normal,
-                                      Scalar offset) noexcept {
+BarrierValue<Scalar, Dofs> half_space_barrier(const PointMotion<Scalar, Dofs>& point, const Vector3<Scalar>& normal,
+                                              Scalar offset) noexcept {
   return {normal.dot(point.position) - offset, point.jacobian.transpose() * normal, normal.dot(point.velocity_product)};
 }
 
@@ -110,8 +110,8 @@ enum class SphereSide { Outside, Inside };
 /// @param radius  r [m], > 0
 /// @param side    on which the point has to stay
 template <typename Scalar, int Dofs>
-BarrierValue<Scalar, Dofs> sphere(const PointMotion<Scalar, Dofs>& point, const Vector3<Scalar>& center, Scalar radius,
-                                  SphereSide side) noexcept {
+BarrierValue<Scalar, Dofs> sphere_barrier(const PointMotion<Scalar, Dofs>& point, const Vector3<Scalar>& center,
+                                          Scalar radius, SphereSide side) noexcept {
   const Scalar sign = side == SphereSide::Outside ? Scalar(1) : Scalar(-1);
   const Vector3<Scalar> away = point.position - center;
   const Vector3<Scalar> gradient = sign / radius * away;  // grad_x h

@@ -70,7 +70,8 @@ class PredictionErrorWatch {
   Status observe(const Vector& dq) noexcept {
     const bool comparable = predicted_known_;
     predicted_known_ = false;
-    if (!plausible(dq)) return Status::NonFiniteInput;
+    observed_ = plausible(dq);
+    if (!observed_) return Status::NonFiniteInput;
     below_ *= keep_;
     above_ *= keep_;
     if (comparable) {
@@ -83,11 +84,12 @@ class PredictionErrorWatch {
     dq_ = dq;
     return Status::Ok;
   }
-  /// Stores the predicted acceleration of this tick's torque [rad/s^2], Cpic::acceleration(). NaN or infinity: there is
-  /// no prediction.
+  /// Stores the predicted acceleration of this tick's torque [rad/s^2], Cpic::acceleration(). There is no prediction if
+  /// it is not finite, or if observe() has refused this tick's velocity: then the next difference of velocities would
+  /// span two periods.
   void predict(const Vector& ddq) noexcept {
     predicted_ = ddq;
-    predicted_known_ = ddq.allFinite();
+    predicted_known_ = observed_ && ddq.allFinite();
   }
 
   /// The bound on the error of the next prediction [rad/s^2].
@@ -97,7 +99,7 @@ class PredictionErrorWatch {
   PredictionErrorConfig<Scalar, Dofs> config_;
   Scalar period_, keep_;
   Vector dq_ = Vector::Zero(), predicted_ = Vector::Zero();
-  bool predicted_known_ = false;
+  bool observed_ = false, predicted_known_ = false;
   Vector below_ = Vector::Zero(), above_ = Vector::Zero();
   AccelerationError<Scalar, Dofs> error_;
 };

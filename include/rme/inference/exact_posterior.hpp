@@ -1,10 +1,11 @@
 #pragma once
 /// The exact posterior of a payload, by quadrature over the mass.
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <rme/core/cholesky.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/inference_result.hpp>
@@ -42,8 +43,8 @@ Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const Payloa
 
 /// exact_posterior() in the form that all solvers share (inference_result.hpp), with the same status.
 template <typename Scalar>
-Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
-             InferenceResult<Scalar>& result, const ExactQuadrature& /*config*/) noexcept {
+Status infer_payload(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
+                     InferenceResult<Scalar>& result, const ExactQuadrature& /*config*/) noexcept {
   ExactPosterior<Scalar> exact;
   const Status status = exact_posterior(likelihood, prior, exact);
   if (status == Status::Ok) result = exact;
@@ -71,9 +72,10 @@ class MassMarginal {
       : mass_(prior.mean[0]), mass_precision_(1 / prior.covariance(0, 0)) {
     k_ = prior.covariance.template block<3, 1>(1, 0) * mass_precision_;
     e_ = prior.mean.template tail<3>() - k_ * mass_;
-    const Eigen::SelfAdjointEigenSolver<Matrix3<Scalar>> eigen(com_factor.transpose() * l.BB * com_factor);
+    const Eigen::SelfAdjointEigenSolver<Matrix3<Scalar>> eigen(
+        detail::transposed_product(com_factor, detail::product(l.BB, com_factor)));
     lambda_ = eigen.eigenvalues();
-    T_ = com_factor * eigen.eigenvectors();
+    T_ = detail::product(com_factor, eigen.eigenvectors());
     const Vector3<Scalar> BB_e = l.BB * e_, BB_k = l.BB * k_;
     // u = m (u1 + m (u2 + m u3)); the part of the exponent without z is m (c1 + m (c2 + m (c3 + m c4))).
     u1_ = T_.transpose() * l.yB;
@@ -105,7 +107,8 @@ class MassMarginal {
     linear(0, 0) = Scalar(1);
     linear.template block<3, 1>(1, 0) = k_;
     linear.template block<3, 3>(1, 1) = T_;
-    return linear * of_m_z * linear.transpose();
+    const Matrix4<Scalar> half = detail::product(linear, of_m_z);
+    return half * linear.transpose();
   }
 
  private:
@@ -130,9 +133,9 @@ Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const Payloa
   if (!(prior.covariance(0, 0) > 0)) return Status::NotPositiveDefinite;
   const Scalar prior_sd = sqrt(prior.covariance(0, 0));
   const Vector3<Scalar> row = prior.covariance.template block<3, 1>(1, 0) / prior_sd;
-  const Eigen::LLT<Matrix3<Scalar>> com_llt(prior.covariance.template block<3, 3>(1, 1) - row * row.transpose());
-  if (com_llt.info() != Eigen::Success) return Status::NotPositiveDefinite;
-  const detail::MassMarginal<Scalar> marginal(likelihood, prior, com_llt.matrixL());
+  const Cholesky<Scalar, 3> com_factor(prior.covariance.template block<3, 3>(1, 1) - row * row.transpose());
+  if (!com_factor.positive_definite()) return Status::NotPositiveDefinite;
+  const detail::MassMarginal<Scalar> marginal(likelihood, prior, com_factor.lower());
   int evaluations = 0;
   const auto at = [&](Scalar m) noexcept {
     ++evaluations;

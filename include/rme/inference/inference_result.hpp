@@ -7,7 +7,7 @@ namespace rme {
 
 /// Every solver is called as
 ///
-///     Status infer(likelihood, prior, result, config)
+///     Status infer_payload(likelihood, prior, result, config)
 ///
 /// and the type of `config` selects the solver: VariationalInferenceConfig (the default), MeanFieldConfig,
 /// ExactQuadrature, or StochasticViConfig, after which a random generator is passed (docs/theory.md, "Four solvers").

@@ -1,8 +1,9 @@
 #pragma once
 /// Variational inference over a payload with independent entries, in closed form.
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <rme/core/cholesky.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/sum_of_logs.hpp>
 #include <rme/core/types.hpp>
@@ -36,8 +37,8 @@ struct MeanFieldConfig {
 /// @param config       bounds on the work
 /// @return Ok; NotConverged (result holds the best iterate); NonFiniteInput; NotPositiveDefinite (prior's covariance)
 template <typename Scalar>
-Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
-             InferenceResult<Scalar>& result, const MeanFieldConfig& config) noexcept;
+Status infer_payload(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
+                     InferenceResult<Scalar>& result, const MeanFieldConfig& config) noexcept;
 
 namespace detail {
 
@@ -80,9 +81,9 @@ class MeanFieldAscent {
   /// A Newton step of all means.
   /// @return whether a step was found that does not lower the objective
   bool step_together(Scalar tolerance) noexcept {
-    const Eigen::LLT<Matrix4<Scalar>> llt(precision());
-    if (llt.info() != Eigen::Success) return false;
-    const Vector4<Scalar> direction = llt.solve(joint_.gradient(mean_, variance_.asDiagonal()));
+    const Cholesky<Scalar, 4> factor(precision());
+    if (!factor.positive_definite()) return false;
+    const Vector4<Scalar> direction = factor.solve(joint_.gradient(mean_, variance_.asDiagonal()));
     // Such a short step changes the objective by less than its round-off, so the objectives are not compared.
     if ((direction.array().abs() < tolerance * variance_.array().sqrt()).all()) {
       mean_ += direction;
@@ -101,8 +102,9 @@ class MeanFieldAscent {
   /// The mass given the centre of mass, then the centre of mass given the mass: each is the maximum of a parabola.
   void step_in_turn() noexcept {
     mean_[0] += joint_.gradient(mean_, variance_.asDiagonal())[0] / precision()(0, 0);
-    const Eigen::LLT<Matrix3<Scalar>> llt(precision().template bottomRightCorner<3, 3>());
-    mean_.template tail<3>() += llt.solve(joint_.gradient(mean_, variance_.asDiagonal()).template tail<3>());
+    const Cholesky<Scalar, 3> factor(precision().template bottomRightCorner<3, 3>());
+    const Vector3<Scalar> gradient = joint_.gradient(mean_, variance_.asDiagonal()).template tail<3>();
+    mean_.template tail<3>() += factor.solve(gradient);
   }
 
   const ExpectedLogJoint<Scalar>& joint_;
@@ -113,13 +115,13 @@ class MeanFieldAscent {
 }  // namespace detail
 
 template <typename Scalar>
-Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
-             InferenceResult<Scalar>& result, const MeanFieldConfig& config) noexcept {
+Status infer_payload(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
+                     InferenceResult<Scalar>& result, const MeanFieldConfig& config) noexcept {
   if (!likelihood.all_finite() || !prior.mean.allFinite() || !prior.covariance.allFinite())
     return Status::NonFiniteInput;
-  const Eigen::LLT<Matrix4<Scalar>> prior_llt(prior.covariance);
-  if (prior_llt.info() != Eigen::Success) return Status::NotPositiveDefinite;
-  const Matrix4<Scalar> prior_precision = prior_llt.solve(Matrix4<Scalar>::Identity());
+  const Cholesky<Scalar, 4> prior_factor(prior.covariance);
+  if (!prior_factor.positive_definite()) return Status::NotPositiveDefinite;
+  const Matrix4<Scalar> prior_precision = prior_factor.inverse();
   const ExpectedLogJoint<Scalar> joint(likelihood, prior.mean, prior_precision);
   using std::sqrt;
   // In float, round-off of the gradient does not allow a smaller tolerance.
@@ -135,7 +137,7 @@ Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<
   if (!std::isfinite(q.objective())) return Status::NonFiniteInput;
   result.posterior = {q.mean(), q.variance().asDiagonal()};
   // Entropy of q and normaliser of the prior; their powers of 2 pi cancel.
-  result.log_evidence = q.objective() + Scalar(2) - prior_llt.matrixLLT().diagonal().array().log().sum();
+  result.log_evidence = q.objective() + Scalar(2) - prior_factor.log_det_lower();
   result.iterations = iteration;
   return status;
 }

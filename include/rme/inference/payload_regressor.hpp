@@ -1,22 +1,25 @@
 #pragma once
-/// The payload model as a regression: a payload (m, r) exerts the joint torque m (a + B r + Q p(r)), where p(r) is
-/// products(r).
+/// The payload model as a regression: a payload (m, r) exerts the joint torque m (a + B r + Q p(r)), where p(r) are the
+/// six products of two entries of r.
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/types.hpp>
 
 namespace rme {
+namespace detail {
 
 /// p(r) [m^2]: the products (x x, x y, x z, y y, y z, z z) of the entries of a centre of mass r = (x, y, z) [m].
 template <typename Scalar>
-Vector6<Scalar> products(const Vector3<Scalar>& r) noexcept {
+Vector6<Scalar> com_products(const Vector3<Scalar>& r) noexcept {
   Vector6<Scalar> out;
   out << r[0] * r[0], r[0] * r[1], r[0] * r[2], r[1] * r[1], r[1] * r[2], r[2] * r[2];
   return out;
 }
 
-/// a, B and Q of one sample: a payload (m, r) exerts the joint torque tau = m (a + B r + Q products(r)). At rest Q = 0,
-/// and the model is bilinear.
+}  // namespace detail
+
+/// a, B and Q of one sample: a payload (m, r) exerts the joint torque tau = m (a + B r + Q p(r)). At rest Q = 0, and the
+/// model is bilinear.
 template <typename Scalar, int Dofs>
 struct PayloadRegressor {
   JointVector<Scalar, Dofs> a = JointVector<Scalar, Dofs>::Zero();            ///< Dofs x 1 [N m / kg]
@@ -25,7 +28,7 @@ struct PayloadRegressor {
 
   /// tau = m (a + B r + Q p(r)) [N m] (docs/theory.md (T5)).
   JointVector<Scalar, Dofs> torque(const Payload<Scalar>& payload) const noexcept {
-    return payload.mass * (a + B * payload.com + Q * products(payload.com));
+    return payload.mass * (a + B * payload.com + Q * detail::com_products(payload.com));
   }
 };
 

@@ -25,7 +25,7 @@ struct NuisanceGaussian {
   std::array<NuisanceMatrix<Scalar>, Dofs> covariance;  ///< Lambda, per joint, positive definite
 };
 
-/// One tick: y = m (a + B r + Q products(r)) + N beta + noise, per joint.
+/// One tick: y = m (a + B r + Q p(r)) + N beta + noise, per joint.
 template <typename Scalar, int Dofs>
 struct PayloadObservation {
   JointVector<Scalar, Dofs> tau = JointVector<Scalar, Dofs>::Zero();        ///< y, external torque [N m]

@@ -44,18 +44,18 @@ struct StochasticViConfig {
 /// @return Ok; NotConverged (max_steps was reached; the result is valid); NonFiniteInput, also if the likelihood is not
 ///         finite; NotPositiveDefinite (the prior's covariance)
 template <typename LogLikelihood, typename Scalar, typename Random>
-Status infer(const LogLikelihood& log_likelihood, const PayloadGaussian<Scalar>& prior, InferenceResult<Scalar>& result,
-             const StochasticViConfig& config, Random& random) noexcept;
+Status infer_payload(const LogLikelihood& log_likelihood, const PayloadGaussian<Scalar>& prior,
+                     InferenceResult<Scalar>& result, const StochasticViConfig& config, Random& random) noexcept;
 
 /// The same for the bilinear model.
 template <typename Scalar, typename Random>
-Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
-             InferenceResult<Scalar>& result, const StochasticViConfig& config, Random& random) noexcept {
+Status infer_payload(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
+                     InferenceResult<Scalar>& result, const StochasticViConfig& config, Random& random) noexcept {
   if (!likelihood.all_finite()) return Status::NonFiniteInput;
   const auto ratio = [&likelihood](const Vector4<Scalar>& theta, Vector4<Scalar>& gradient) noexcept {
     return likelihood.log_likelihood_ratio(theta, gradient);
   };
-  return infer(ratio, prior, result, config, random);
+  return infer_payload(ratio, prior, result, config, random);
 }
 
 namespace detail {
@@ -90,8 +90,8 @@ class Adam {
 }  // namespace detail
 
 template <typename LogLikelihood, typename Scalar, typename Random>
-Status infer(const LogLikelihood& log_likelihood, const PayloadGaussian<Scalar>& prior, InferenceResult<Scalar>& result,
-             const StochasticViConfig& config, Random& random) noexcept {
+Status infer_payload(const LogLikelihood& log_likelihood, const PayloadGaussian<Scalar>& prior,
+                     InferenceResult<Scalar>& result, const StochasticViConfig& config, Random& random) noexcept {
   if (!prior.mean.allFinite() || !prior.covariance.allFinite()) return Status::NonFiniteInput;
   const Eigen::LLT<Matrix4<Scalar>> prior_llt(prior.covariance);
   if (prior_llt.info() != Eigen::Success) return Status::NotPositiveDefinite;

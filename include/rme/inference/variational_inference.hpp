@@ -105,9 +105,10 @@ struct VariationalInferenceConfig {
 ///                     keeps the sign that it has at the start
 /// @return Ok; NotConverged (result holds the best iterate); NonFiniteInput; NotPositiveDefinite (prior's covariance)
 template <typename Scalar>
-Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
-             InferenceResult<Scalar>& result, const VariationalInferenceConfig& config = VariationalInferenceConfig(),
-             const Vector4<Scalar>* start = nullptr) noexcept;
+Status infer_payload(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
+                     InferenceResult<Scalar>& result,
+                     const VariationalInferenceConfig& config = VariationalInferenceConfig(),
+                     const Vector4<Scalar>* start = nullptr) noexcept;
 
 namespace detail {
 
@@ -126,9 +127,9 @@ Vector4<Scalar> initial_mean(const PayloadLikelihood<Scalar>& l, const Vector4<S
 }  // namespace detail
 
 template <typename Scalar>
-Status infer(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
-             InferenceResult<Scalar>& result, const VariationalInferenceConfig& config,
-             const Vector4<Scalar>* start) noexcept {
+Status infer_payload(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
+                     InferenceResult<Scalar>& result, const VariationalInferenceConfig& config,
+                     const Vector4<Scalar>* start) noexcept {
   if (!likelihood.all_finite() || !prior.mean.allFinite() || !prior.covariance.allFinite() ||
       (start != nullptr && !start->allFinite()))
     return Status::NonFiniteInput;

@@ -1,6 +1,7 @@
 #pragma once
 /// Fully connected layer.
 #include <Eigen/Core>
+#include <rme/core/small_matrix.hpp>
 
 namespace rme {
 
@@ -22,10 +23,11 @@ struct Linear {
 
 /// The layer that equals `inner` followed by `outer`: W = W_o W_i, b = W_o b_i + b_o.
 template <typename Scalar, int In, int Between, int Out>
-Linear<Scalar, In, Out> compose(const Linear<Scalar, Between, Out>& outer, const Linear<Scalar, In, Between>& inner) {
+Linear<Scalar, In, Out> compose_layers(const Linear<Scalar, Between, Out>& outer,
+                                       const Linear<Scalar, In, Between>& inner) {
   Linear<Scalar, In, Out> both;
-  both.weight.noalias() = outer.weight * inner.weight;
-  both.bias = outer.weight * inner.bias + outer.bias;
+  both.weight = detail::product(outer.weight, inner.weight);
+  both.bias = detail::product(outer.weight, inner.bias) + outer.bias;
   return both;
 }
 

@@ -2,7 +2,9 @@
 /// The network that guesses a payload from 200 ms of pseudo-wrenches.
 #include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
 #include <rme/core/require.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/status.hpp>
 #include <rme/network/conv1d.hpp>
 #include <rme/network/linear.hpp>
@@ -75,8 +77,10 @@ namespace detail {
 template <int Rows, int Columns, typename Array>
 Eigen::Matrix<double, Rows, Columns> as_matrix(const Array& array) {
   static_assert(std::tuple_size_v<Array> == Rows * Columns);
-  using Map = Eigen::Map<const Eigen::Matrix<typename Array::value_type, Columns, Rows>>;
-  return Map(array.data()).transpose().template cast<double>();
+  Eigen::Matrix<double, Rows, Columns> out;
+  for (int i = 0; i < Rows; ++i)
+    for (int j = 0; j < Columns; ++j) out(i, j) = static_cast<double>(array[static_cast<std::size_t>(i * Columns + j)]);
+  return out;
 }
 
 template <int In, int Out, typename Weight, typename Bias>
@@ -84,9 +88,15 @@ Linear<double, In, Out> as_linear(const Weight& weight, const Bias& bias) {
   return {as_matrix<Out, In>(weight), as_matrix<Out, 1>(bias)};
 }
 
+/// A matrix in another precision.
+template <typename Scalar, int Rows, int Columns>
+Eigen::Matrix<Scalar, Rows, Columns> cast(const Eigen::Matrix<double, Rows, Columns>& matrix) {
+  return matrix.template cast<Scalar>();
+}
+
 template <typename Scalar, int In, int Out>
 Linear<Scalar, In, Out> cast(const Linear<double, In, Out>& layer) {
-  return {layer.weight.template cast<Scalar>(), layer.bias.template cast<Scalar>()};
+  return {cast<Scalar>(layer.weight), cast<Scalar>(layer.bias)};
 }
 
 /// Refuses weights unless every number is finite and every standard deviation is positive.
@@ -109,25 +119,33 @@ MismatchNetwork<Scalar, Architecture>::MismatchNetwork(const Weights& w) : frame
   using detail::as_matrix;
   using detail::cast;
   detail::require_usable(w);
-  normalization_.mean = as_matrix<A::kChannels, 1>(w.normalization_mean).template cast<Scalar>();
-  normalization_.std = as_matrix<A::kChannels, 1>(w.normalization_std).template cast<Scalar>();
+  normalization_.mean = cast<Scalar>(as_matrix<A::kChannels, 1>(w.normalization_mean));
+  normalization_.std = cast<Scalar>(as_matrix<A::kChannels, 1>(w.normalization_std));
 
   const auto convolution = as_linear<kPatch, kEmbed>(w.convolution_weight, w.convolution_bias);
-  auto in_proj = as_linear<kEmbed, 3 * kEmbed>(w.attention_in_proj_weight, w.attention_in_proj_bias);
-  const double scale = 1 / std::sqrt(double(kHeadSize));
-  in_proj.weight.template topRows<kEmbed>() *= scale;
-  in_proj.bias.template head<kEmbed>() *= scale;
+  const auto in_proj = as_linear<kEmbed, 3 * kEmbed>(w.attention_in_proj_weight, w.attention_in_proj_bias);
   // Before the projection, sample t is W_conv patch_t + position_t.
-  const Eigen::Matrix<double, kEmbed, A::kSamples> position =
-      as_matrix<A::kSamples, kEmbed>(w.positional_embedding).transpose().colwise() + convolution.bias;
-  const Eigen::Matrix<double, 3 * kEmbed, kPatch> projected_weight = in_proj.weight * convolution.weight;
-  const Eigen::Matrix<double, 3 * kEmbed, A::kSamples> projected_position =
-      (in_proj.weight * position).colwise() + in_proj.bias;
-  query_key_weight_ = projected_weight.template topRows<2 * kEmbed>().transpose().template cast<Scalar>();
-  query_key_position_ = projected_position.template topRows<2 * kEmbed>().transpose().template cast<Scalar>();
+  const auto embedding = as_matrix<A::kSamples, kEmbed>(w.positional_embedding);
+  Eigen::Matrix<double, kEmbed, A::kSamples> position;
+  for (int t = 0; t < A::kSamples; ++t)
+    for (int i = 0; i < kEmbed; ++i) position(i, t) = embedding(t, i) + convolution.bias[i];
+  const auto projected_weight = detail::product(in_proj.weight, convolution.weight);
+  const auto projected_position = detail::product(in_proj.weight, position);
+  // Rows of in_proj: queries, keys, values. Queries are scaled by 1 / sqrt(head size).
+  const double scale = 1 / std::sqrt(double(kHeadSize));
+  for (int i = 0; i < 2 * kEmbed; ++i) {
+    const double factor = i < kEmbed ? scale : 1;
+    for (int k = 0; k < kPatch; ++k) query_key_weight_(k, i) = Scalar(factor * projected_weight(i, k));
+    for (int t = 0; t < A::kSamples; ++t)
+      query_key_position_(t, i) = Scalar(factor * (projected_position(i, t) + in_proj.bias[i]));
+  }
   // The attention weights of a query sum to 1, so that the values' bias may be added before they are applied.
-  value_weight_ = projected_weight.template bottomRows<kEmbed>().template cast<Scalar>();
-  value_position_ = projected_position.template bottomRows<kEmbed>().template cast<Scalar>();
+  for (int i = 0; i < kEmbed; ++i) {
+    const int row = 2 * kEmbed + i;
+    for (int k = 0; k < kPatch; ++k) value_weight_(i, k) = Scalar(projected_weight(row, k));
+    for (int t = 0; t < A::kSamples; ++t)
+      value_position_(i, t) = Scalar(projected_position(row, t) + in_proj.bias[row]);
+  }
 
   const auto out_proj = as_linear<kEmbed, kEmbed>(w.attention_out_proj_weight, w.attention_out_proj_bias);
   const auto expand = as_linear<kEmbed, A::kMlpHidden>(w.mlp_0_weight, w.mlp_0_bias);
@@ -136,7 +154,7 @@ MismatchNetwork<Scalar, Architecture>::MismatchNetwork(const Weights& w) : frame
   project_ = cast<Scalar>(out_proj);
   expand_ = cast<Scalar>(expand);
   contract_ = cast<Scalar>(contract);
-  last_ = cast<Scalar>(compose(head, contract));
+  last_ = cast<Scalar>(compose_layers(head, contract));
 }
 
 template <typename Scalar, typename Architecture>
@@ -147,14 +165,14 @@ Status MismatchNetwork<Scalar, Architecture>::forward(const Window& window, Outp
   typename Convolution::Patches patches;
   Convolution::unfold(normalized, patches);
 
-  Matrix<A::kSamples, 2 * kEmbed> query_key = query_key_position_;
-  query_key.noalias() += patches * query_key_weight_;
+  Matrix<A::kSamples, 2 * kEmbed> query_key = detail::product(patches, query_key_weight_);
+  query_key += query_key_position_;
   Matrix<kEmbed, 1> pooled;  // mean of the heads' outputs over time
   for (int h = 0; h < A::kHeads; ++h) {
     const int row = h * kHeadSize;
     const Matrix<A::kSamples, 1> mean_weights = mean_attention_weights<Scalar, A::kSamples>(
         query_key.template middleCols<kHeadSize>(row), query_key.template middleCols<kHeadSize>(kEmbed + row));
-    const Matrix<kPatch, 1> mean_patch = patches.transpose() * mean_weights;
+    const Matrix<kPatch, 1> mean_patch = detail::transposed_product(patches, mean_weights);
     pooled.template segment<kHeadSize>(row).noalias() =
         value_weight_.template middleRows<kHeadSize>(row) * mean_patch +
         value_position_.template middleRows<kHeadSize>(row) * mean_weights;

@@ -1,8 +1,9 @@
 #pragma once
 /// The network's guess as a prior.
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
+#include <rme/core/cholesky.hpp>
 #include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
@@ -60,15 +61,14 @@ class NetworkPrior {
 
   /// The network's output for the newest samples of the window.
   /// @param window    the samples
-  /// @param count     number of samples since the event, at most window.size(); the network takes the newest 20 of them
-  ///                  that are `spacing` apart
+  /// @param count     number of samples since the event; the network takes the newest 20 of them that are `spacing` apart
   /// @param[out] out  theta = (m [kg], r [m]), 4x1; as it was if the result is false
-  /// @return false if `count` is too small, the samples are too far from the training data, or the network or a
-  ///         pseudo-wrench gives no finite result
+  /// @return false if `count` is too small or above window.size(), if the samples are too far from the training data, or
+  ///         if the network or a pseudo-wrench gives no finite result
   template <int Dofs>
   bool guess(const SampleWindow<Scalar, Dofs>& window, std::size_t count, Vector4<Scalar>& out) const noexcept;
 
-  /// The prior of the payload in the newest `count` samples of the window, count <= window.size().
+  /// The prior of the payload in the newest `count` samples of the window: `unknown` where there is no guess().
   template <int Dofs>
   PayloadGaussian<Scalar> operator()(const SampleWindow<Scalar, Dofs>& window, std::size_t count) const noexcept;
 
@@ -88,11 +88,10 @@ NetworkPrior<Scalar, Architecture, NetworkScalar>::NetworkPrior(const Network& n
   }
   detail::require(plausible(config.gravity) && config.gravity.norm() > 0, "NetworkPriorConfig::gravity",
                   "finite and not zero", config.gravity.norm());
-  const Eigen::LLT<Matrix4<Scalar>> unknown(config.unknown.gaussian.covariance);
   detail::require(config.unknown.gaussian.mean.allFinite() && config.unknown.gaussian.covariance.allFinite() &&
-                      unknown.info() == Eigen::Success,
-                  "NetworkPriorConfig::unknown", "a finite mean and a covariance that is positive definite",
-                  config.unknown.gaussian.covariance.determinant());
+                      Cholesky<Scalar, 4>(config.unknown.gaussian.covariance).positive_definite(),
+                  "NetworkPriorConfig::unknown", "a finite mean and a positive definite covariance, all variances > 0",
+                  config.unknown.gaussian.covariance.diagonal().minCoeff());
   detail::require(config.farthest > 0, "NetworkPriorConfig::farthest", "> 0", config.farthest);
   detail::require_positive(config.damping, "NetworkPriorConfig::damping", "> 0");
   detail::require_positive(dt, "NetworkPrior::dt", "> 0 s");
@@ -108,7 +107,7 @@ bool NetworkPrior<Scalar, Architecture, NetworkScalar>::guess(const SampleWindow
   using Input = typename Network::Window;
   constexpr int samples = Input::RowsAtCompileTime;
   // With fewer samples, the network's input would include samples from before the event.
-  if (stride_ * samples > count) return false;
+  if (stride_ * samples > count || count > window.size()) return false;
   Input input;
   for (int i = 0; i < samples; ++i) {
     const Proprioception<Scalar, Dofs>& tick = window.newest(stride_ * static_cast<std::size_t>(samples - 1 - i)).raw;

@@ -86,7 +86,7 @@ class PublishedPipeline {
  private:
   static_assert(Network::Output::RowsAtCompileTime == 4, "a prior needs m, r_x, r_y, r_z");
 
-  Status infer_payload(InferenceResult<Scalar>& result) noexcept;
+  Status infer(InferenceResult<Scalar>& result) noexcept;
   void make_estimate() noexcept;
 
   Config config_;
@@ -128,7 +128,7 @@ void PublishedPipeline<Scalar, Dofs, Network>::reset() noexcept {
 
 template <typename Scalar, int Dofs, typename Network>
 Status PublishedPipeline<Scalar, Dofs, Network>::update(const Proprioception<Scalar, Dofs>& sample) noexcept {
-  Status status = check(sample);
+  Status status = check_sample(sample);
   if (status != Status::Ok) return status;
   status = detector_.update(MismatchDetector<1>::Signal(static_cast<double>(sample.tau_ext.norm())));
   if (status != Status::Ok) return status;
@@ -149,7 +149,7 @@ template <typename Scalar, int Dofs, typename Network>
 void PublishedPipeline<Scalar, Dofs, Network>::make_estimate() noexcept {
   InferenceResult<Scalar> result;
   state_.phase = PublishedPhase::Watching;
-  state_.outcome = infer_payload(result);
+  state_.outcome = infer(result);
   if (state_.outcome != Status::Ok && state_.outcome != Status::NotConverged) return;
   ++state_.estimates;
   state_.estimated_at = time();
@@ -159,7 +159,7 @@ void PublishedPipeline<Scalar, Dofs, Network>::make_estimate() noexcept {
 
 /// Infers the payload from the window, which contains exactly the collection when this is called.
 template <typename Scalar, int Dofs, typename Network>
-Status PublishedPipeline<Scalar, Dofs, Network>::infer_payload(InferenceResult<Scalar>& result) noexcept {
+Status PublishedPipeline<Scalar, Dofs, Network>::infer(InferenceResult<Scalar>& result) noexcept {
   using Sample = Proprioception<Scalar, Dofs>;
   const auto at = [this](int i) noexcept -> const Sample& { return window_[static_cast<std::size_t>(i)]; };
   const int count = static_cast<int>(window_.size());
@@ -181,7 +181,7 @@ Status PublishedPipeline<Scalar, Dofs, Network>::infer_payload(InferenceResult<S
   PayloadLikelihood<Scalar> likelihood;
   status = published_likelihood<Scalar, Dofs>(count, observation, likelihood, config_.likelihood);
   if (status != Status::Ok) return status;
-  status = infer(likelihood, prior, result, config_.inference, random_);
+  status = infer_payload(likelihood, prior, result, config_.inference, random_);
   // A payload that no arm carries could overflow in the compensation.
   return plausible(result.posterior.mean) ? status : Status::NonFiniteInput;
 }

@@ -52,7 +52,7 @@ bool is_rotation(const Matrix3<Scalar>& R) noexcept {
 /// @return Ok; NonFiniteInput, also for numbers beyond kLargestPlausible and for a period below 0; NotARotation, if an
 ///         entry of R^T R is 1e-3 or more away from the identity, or det R is not above 0
 template <typename Scalar, int Dofs>
-Status check(const Proprioception<Scalar, Dofs>& sample) noexcept {
+Status check_sample(const Proprioception<Scalar, Dofs>& sample) noexcept {
   if (!plausible(sample.tau_ext) || !plausible(sample.jacobian) || !detail::finite(sample.rotation) ||
       !plausible(sample.dq))
     return Status::NonFiniteInput;

@@ -25,7 +25,7 @@ struct SampleWindowConfig {
 
 /// One tick, with what is computed from it.
 template <typename Scalar, int Dofs>
-struct Sample {
+struct WindowSample {
   Proprioception<Scalar, Dofs> raw;  ///< as it was passed to push()
   /// External torque over the period that ends with this tick [N m], with the observer's lag removed.
   JointVector<Scalar, Dofs> tau = JointVector<Scalar, Dofs>::Zero();
@@ -62,7 +62,7 @@ class SampleWindow {
   std::size_t size() const noexcept { return samples_.size(); }          ///< samples kept now
   std::size_t capacity() const noexcept { return samples_.capacity(); }  ///< samples kept at most
   /// The sample `age` ticks ago, 0 being the newest. Requires age < size().
-  const Sample<Scalar, Dofs>& newest(std::size_t age = 0) const noexcept { return samples_.newest(age); }
+  const WindowSample<Scalar, Dofs>& newest(std::size_t age = 0) const noexcept { return samples_.newest(age); }
   /// Forgets all samples.
   void reset() noexcept {
     samples_.clear();
@@ -73,7 +73,7 @@ class SampleWindow {
   Scalar dt_;
   Scalar blend_;  // K dt
   FrictionDirection<Scalar, Dofs> friction_;
-  RingBuffer<Sample<Scalar, Dofs>> samples_;
+  RingBuffer<WindowSample<Scalar, Dofs>> samples_;
 };
 
 template <typename Scalar, int Dofs>
@@ -90,20 +90,20 @@ SampleWindow<Scalar, Dofs>::SampleWindow(double dt, const SampleWindowConfig& co
   detail::require(blend == 0 || (blend >= 1e-6 && blend <= 1), "SampleWindowConfig::observer_bandwidth",
                   "0 rad/s, or 1e-6 to 1 over the period", config.observer_bandwidth);
   detail::require_positive(config.rest_velocity, "SampleWindowConfig::rest_velocity", "> 0 rad/s");
-  samples_ = RingBuffer<Sample<Scalar, Dofs>>(static_cast<std::size_t>(std::lround(config.duration / dt)));
+  samples_ = RingBuffer<WindowSample<Scalar, Dofs>>(static_cast<std::size_t>(std::lround(config.duration / dt)));
 }
 
 template <typename Scalar, int Dofs>
 Status SampleWindow<Scalar, Dofs>::push(const Proprioception<Scalar, Dofs>& in, bool payload_steady) noexcept {
-  const Status status = check(in);
+  const Status status = check_sample(in);
   if (status != Status::Ok) return status;
-  Sample<Scalar, Dofs> sample;
+  WindowSample<Scalar, Dofs> sample;
   sample.raw = in;
   sample.tau = in.tau_ext;
   const auto twist = Twist<Scalar>::from_vector(in.jacobian * in.dq);
   sample.motion.angular_velocity = twist.angular;
   if (!samples_.empty()) {
-    const Sample<Scalar, Dofs>& last = samples_.newest();
+    const WindowSample<Scalar, Dofs>& last = samples_.newest();
     sample.tau = last.raw.tau_ext + (in.tau_ext - last.raw.tau_ext) / blend_;
     const auto last_twist = Twist<Scalar>::from_vector(last.raw.jacobian * last.raw.dq);
     sample.motion.linear_acceleration = (twist.linear - last_twist.linear) / dt_;

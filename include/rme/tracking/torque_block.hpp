@@ -71,7 +71,7 @@ class BlockAverager {
   }
 
   /// Adds a sample.
-  /// @param sample  one tick, for which check() has returned Ok
+  /// @param sample  one tick, for which check_sample() has returned Ok
   /// @param dt      time since the last sample [s], > 0
   /// @param time    time of this sample [s]
   /// @return whether the sample completed a block, which block() then returns

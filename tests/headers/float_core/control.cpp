@@ -116,7 +116,7 @@ bool barriers_ask_for_what_their_poles_say() {
   Vector7 dq = Vector7::Zero();
   dq[0] = -0.2F;
   rme::ConstraintRows<float, 7, 28> rows;
-  const auto wall = rme::half_space<float, 7>(point, Vector3::UnitZ(), 0.4F);
+  const auto wall = rme::half_space_barrier<float, 7>(point, Vector3::UnitZ(), 0.4F);
   if (rme::add_barrier(wall, dq, {8.0F, 40.0F}, rows) != Status::Ok) return false;
   // -k_1 h - k_2 h' = -320 * 0.1 + 48 * 0.2
   if (!near(rows[0].lower, -22.4, 1e-4) || rows[0].a != Vector7::Unit(0)) return false;

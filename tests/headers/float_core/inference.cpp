@@ -45,7 +45,7 @@ bool finds_the_payload(Solver solve) {
     rme::Vector4<float> truth;
     rme::InferenceResult<float> exact, result;
     if (!event_likelihood(random, likelihood, truth)) return false;
-    if (rme::infer(likelihood, prior(), exact, rme::ExactQuadrature()) != Status::Ok) return false;
+    if (rme::infer_payload(likelihood, prior(), exact, rme::ExactQuadrature()) != Status::Ok) return false;
     if (solve(likelihood, prior(), result) != Status::Ok) return false;
     const Eigen::Array4f sd = exact.posterior.standard_deviation();
     if (!(((exact.posterior.mean - truth).array().abs() / sd).maxCoeff() < 5)) return false;
@@ -58,7 +58,7 @@ namespace {
 
 bool full_covariance_finds_the_payload() {
   return finds_the_payload([](const auto& likelihood, const auto& prior, auto& result) {
-    return rme::infer(likelihood, prior, result, rme::VariationalInferenceConfig());
+    return rme::infer_payload(likelihood, prior, result, rme::VariationalInferenceConfig());
   });
 }
 
@@ -96,7 +96,7 @@ bool object_and_push_are_told_apart() {
     rme::PayloadStatistics<float, 7>::Marginals marginals;
     float push = 0;
     if (window.likelihood(precision, nuisance, likelihood) != Status::Ok ||
-        rme::infer(likelihood, prior(), payload, rme::ExactQuadrature()) != Status::Ok ||
+        rme::infer_payload(likelihood, prior(), payload, rme::ExactQuadrature()) != Status::Ok ||
         window.marginals(precision, nuisance, marginals) != Status::Ok ||
         rme::push_log_evidence<float, 7>(marginals, {}, J, {}, push) != Status::Ok)
       return kNan;
@@ -118,7 +118,7 @@ bool offset_outlives_an_event_and_stiction_does_not() {
 }  // namespace
 
 const std::vector<Case> kInference = {
-    {"infer: quadrature and full covariance find the payload", full_covariance_finds_the_payload},
+    {"infer_payload: quadrature and full covariance find the payload", full_covariance_finds_the_payload},
     {"published_likelihood: a quarter of the range", published_likelihood_is_a_quarter_of_the_range},
     {"push_log_evidence: object and push told apart", object_and_push_are_told_apart},
     {"SensorModel: the offset outlives an event, stiction does not", offset_outlives_an_event_and_stiction_does_not},

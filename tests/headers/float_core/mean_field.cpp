@@ -8,12 +8,12 @@ namespace {
 
 bool mean_field_finds_the_payload() {
   return finds_the_payload([](const auto& likelihood, const auto& prior, auto& result) {
-    return rme::infer(likelihood, prior, result, rme::MeanFieldConfig());
+    return rme::infer_payload(likelihood, prior, result, rme::MeanFieldConfig());
   });
 }
 
 }  // namespace
 
-const std::vector<Case> kMeanField = {{"infer: mean field finds the payload", mean_field_finds_the_payload}};
+const std::vector<Case> kMeanField = {{"infer_payload: mean field finds the payload", mean_field_finds_the_payload}};
 
 }  // namespace float_core

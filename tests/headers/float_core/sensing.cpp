@@ -62,15 +62,15 @@ bool pseudo_wrench_is_the_wrench_that_made_the_torque() {
 
 bool bad_samples_are_named() {
   rme::Proprioception<float, 7> sample;
-  if (check(sample) != Status::Ok) return false;
+  if (check_sample(sample) != Status::Ok) return false;
   sample.rotation *= 1.01F;
-  if (check(sample) != Status::NotARotation) return false;
+  if (check_sample(sample) != Status::NotARotation) return false;
   sample = {};
   sample.jacobian(2, 3) = 1e30F;
-  if (check(sample) != Status::NonFiniteInput) return false;
+  if (check_sample(sample) != Status::NonFiniteInput) return false;
   sample = {};
   sample.dq[6] = kNan;
-  return check(sample) == Status::NonFiniteInput;
+  return check_sample(sample) == Status::NonFiniteInput;
 }
 
 }  // namespace
