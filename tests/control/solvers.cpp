@@ -5,6 +5,7 @@ namespace rme {
 template class ActiveSetSolver<double, 1, 1>;
 template class ActiveSetSolver<float, 2, 2>;
 template class ActiveSetSolver<double, 2, 2>;
+template class ActiveSetSolver<double, 2, 8>;
 template class ActiveSetSolver<float, 2, 28>;
 template class ActiveSetSolver<double, 2, 28>;
 template class ActiveSetSolver<float, 3, 6>;

@@ -7,6 +7,7 @@ namespace rme {
 extern template class ActiveSetSolver<double, 1, 1>;
 extern template class ActiveSetSolver<float, 2, 2>;
 extern template class ActiveSetSolver<double, 2, 2>;
+extern template class ActiveSetSolver<double, 2, 8>;
 extern template class ActiveSetSolver<float, 2, 28>;
 extern template class ActiveSetSolver<double, 2, 28>;
 extern template class ActiveSetSolver<float, 3, 6>;

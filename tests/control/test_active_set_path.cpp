@@ -7,7 +7,7 @@
 namespace {
 
 using Vector2 = Eigen::Vector2d;
-using Solver2 = rme::ActiveSetSolver<double, 2, 28>;
+using Solver2 = rme::ActiveSetSolver<double, 2, 8>;
 const Vector2 kFar = Vector2::Constant(1e6);
 const Eigen::Matrix2d kIdentity = Eigen::Matrix2d::Identity();
 
@@ -155,7 +155,7 @@ TEST_CASE("ActiveSetSolver: what enters goes on from where it was blocked, and t
   // -x + 3 z >= 17 enters first, then x + 2 y + 3 z >= 4, then z >= 4, which takes the second one out: four changes. The
   // first one may stay: x = (-5, 3, 4) with x - x_u = (-2, 0, 7) = P (26.5 (0, 0, 1) + 0.5 (-1, 0, 3)), and the second
   // one has 13. A step whose first part is counted twice takes out the first one too, which has to come back.
-  using Solver = rme::ActiveSetSolver<double, 3, 6>;
+  using Solver = rme::ActiveSetSolver<double, 3, 3>;
   using Vector = Solver::Vector;
   Solver solver;
   Solver::Rows rows;
@@ -179,7 +179,7 @@ TEST_CASE("ActiveSetSolver: steps are short on the way: what leaves the active s
   CAPTURE(seed);
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  using Solver = rme::ActiveSetSolver<double, 6, 28>;
+  using Solver = rme::ActiveSetSolver<double, 6, 20>;
   int changes = 0, active = 0;
   for (int k = 0; k < 500; ++k) {
     Solver solver;
@@ -249,7 +249,7 @@ TEMPLATE_TEST_CASE("ActiveSetSolver: a single row holds to a few roundings, in w
   CAPTURE(seed);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  using Solver = rme::ActiveSetSolver<TestType, 2, 2>;
+  using Solver = rme::ActiveSetSolver<TestType, 2, 1>;
   using Vector = typename Solver::Vector;
   const double epsilon = double(std::numeric_limits<TestType>::epsilon());
   const Vector far = Vector::Constant(1000);
@@ -278,7 +278,7 @@ TEMPLATE_TEST_CASE("ActiveSetSolver: a single row holds to a few roundings, in w
 TEST_CASE("ActiveSetSolver: a row that ends inside its bound, with no multiplier, is no miss", "[qp]") {
   // A soft row enters on the way, and rounding keeps it to the end with a multiplier that should be zero. The optimum is
   // where the two hard rows meet that have to hold.
-  using Solver = rme::ActiveSetSolver<float, 2, 28>;
+  using Solver = rme::ActiveSetSolver<float, 2, 8>;
   using Vector = Solver::Vector;
   Solver solver;
   Solver::Rows rows;
