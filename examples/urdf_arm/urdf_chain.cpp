@@ -44,15 +44,9 @@ RigidBody moved(const RigidBody& body, const Eigen::Isometry3d& to) {
   return moved(body, to.translation(), to.linear());
 }
 
-/// The smallest rotation that maps z to the joint's axis. Eigen's FromTwoVectors() would do the same, but takes longer to
-/// compile than the rest of this file.
+/// The smallest rotation that maps z to the joint's axis.
 Eigen::Matrix3d from_z(const Eigen::Vector3d& axis) {
-  const Eigen::Vector3d to = axis.normalized();
-  if (to.z() < -1 + 1e-12) return from_z(-to) * Eigen::Vector3d(1, -1, -1).asDiagonal();  // half a turn about x more
-  Eigen::Quaterniond turn;
-  turn.w() = std::sqrt((1 + to.z()) * 2) * 0.5;
-  turn.vec() = Eigen::Vector3d::UnitZ().cross(to) * (1 / (2 * turn.w()));
-  return turn.toRotationMatrix();
+  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
 }
 
 const char* type_name(int type) {
