@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <rme/control/compensation.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/estimator.hpp>
 #include <string>
 #include <synthetic_arm/panda.hpp>

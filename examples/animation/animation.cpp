@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <rme/control/compensation.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/estimator.hpp>
 #include <stdexcept>
 #include <string>

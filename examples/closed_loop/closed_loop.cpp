@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <rme/control/compensation.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/estimator.hpp>
 #include <stdexcept>
 #include <synthetic_arm/panda.hpp>

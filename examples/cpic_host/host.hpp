@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 #include <rme/control/barriers.hpp>
-#include <rme/control/compensation.hpp>
 #include <rme/control/cpic.hpp>
 #include <rme/control/energy_tank.hpp>
 #include <rme/control/limit_cycle.hpp>
@@ -15,6 +14,7 @@
 #include <rme/control/payload_uncertainty.hpp>
 #include <rme/control/posture.hpp>
 #include <rme/control/prediction_error.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <synthetic_arm/synthetic_arm.hpp>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <rme/control/compensation.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/core/plausible.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/status.hpp>

@@ -5,7 +5,6 @@
 ///  - the JSON forms (rme/estimator_json.hpp and rme/network/json.hpp, target rme::json).
 #include <rme/control/active_set_solver.hpp>
 #include <rme/control/barriers.hpp>
-#include <rme/control/compensation.hpp>
 #include <rme/control/constraint_rows.hpp>
 #include <rme/control/cpic.hpp>
 #include <rme/control/energy_tank.hpp>
@@ -19,6 +18,7 @@
 #include <rme/control/payload_uncertainty.hpp>
 #include <rme/control/posture.hpp>
 #include <rme/control/prediction_error.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/status.hpp>

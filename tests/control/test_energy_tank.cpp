@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <rme/control/compensation.hpp>
 #include <rme/control/energy_tank.hpp>
+#include <rme/core/compensation.hpp>
 #include <stdexcept>
 #include <synthetic_arm/panda.hpp>
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <random>
-#include <rme/control/compensation.hpp>
 #include <rme/control/payload_uncertainty.hpp>
+#include <rme/core/compensation.hpp>
 #include <synthetic_arm/panda.hpp>
 
 #include "support/catch.hpp"

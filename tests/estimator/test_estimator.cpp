@@ -3,7 +3,7 @@
 #include <functional>
 #include <limits>
 #include <random>
-#include <rme/control/compensation.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/estimator.hpp>
 #include <string>
 #include <synthetic_arm/panda.hpp>

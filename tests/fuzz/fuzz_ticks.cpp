@@ -3,7 +3,7 @@
 // keeps its rate, and a refused tick leaves it as a twin that has not seen it.
 #include <cstdint>
 #include <cstring>
-#include <rme/control/compensation.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/estimator.hpp>
 
 #include "fuzz/check.hpp"

@@ -1,6 +1,5 @@
 #include <random>
 #include <rme/control/barriers.hpp>
-#include <rme/control/compensation.hpp>
 #include <rme/control/cpic.hpp>
 #include <rme/control/energy_tank.hpp>
 #include <rme/control/limit_cycle.hpp>
@@ -9,6 +8,7 @@
 #include <rme/control/passive_controller.hpp>
 #include <rme/control/passivity_monitor.hpp>
 #include <rme/control/posture.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <vector>
 

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <memory>
 #include <new>
-#include <rme/control/compensation.hpp>
 #include <rme/control/energy_tank.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/estimator.hpp>
 #include <rme/inference/evidence.hpp>
 #include <rme/inference/sensor_model.hpp>

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <memory>
 #include <rme/control/barriers.hpp>
-#include <rme/control/compensation.hpp>
 #include <rme/control/cpic.hpp>
 #include <rme/control/energy_tank.hpp>
 #include <rme/control/limit_cycle.hpp>
@@ -12,6 +11,7 @@
 #include <rme/control/passive_controller.hpp>
 #include <rme/control/passivity_monitor.hpp>
 #include <rme/control/posture.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/network/mismatch_network.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/momentum_observer.hpp>

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <random>
-#include <rme/control/compensation.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/estimator.hpp>
 #include <stdexcept>
 #include <synthetic_arm/panda.hpp>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
-#include <rme/control/compensation.hpp>
+#include <rme/core/compensation.hpp>
 #include <rme/core/plausible.hpp>
 #include <rme/core/require.hpp>
 #include <rme/core/ring_buffer.hpp>

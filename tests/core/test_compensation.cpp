@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <rme/control/compensation.hpp>
+#include <rme/core/compensation.hpp>
 #include <stdexcept>
 
 #include "support/catch.hpp"
