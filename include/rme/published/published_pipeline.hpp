@@ -10,13 +10,16 @@
 #include <rme/core/ring_buffer.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
+#include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/inference_result.hpp>
+#include <rme/inference/mean_field.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/inference/payload_likelihood.hpp>
 #include <rme/inference/payload_regressor.hpp>
 #include <rme/inference/payload_statistics.hpp>
 #include <rme/inference/published_likelihood.hpp>
 #include <rme/inference/stochastic_vi.hpp>
+#include <rme/inference/variational_inference.hpp>
 #include <rme/network/mismatch_network.hpp>
 #include <rme/published/pseudo_wrench_sequence.hpp>
 #include <rme/published/published_config.hpp>
@@ -33,7 +36,8 @@ namespace rme {
 ///  2. The samples of the 200 ms after the detection are collected: N = 200 at 1 kHz.
 ///  3. M = 20 pseudo-wrenches from these samples go to the network, whose output is the mean of the prior.
 ///  4. 50 of the samples make the likelihood: raw tau_ext, a payload at rest, white noise, no offset and no friction.
-///  5. Stochastic variational inference; the diagonal Gaussian that it ends with is the estimate.
+///  5. Stochastic variational inference; the diagonal Gaussian that it ends with is the estimate. Another solver may
+///     take its place: PublishedPipelineConfig::solver.
 ///  6. compensation() uses it from that tick on, and Algorithm 1 watches again.
 ///
 /// Algorithm 1 looks at the last 500 ms only. So a change that has settled is detected and estimated again as long as
@@ -41,12 +45,13 @@ namespace rme {
 /// move; its first estimate then includes the transient. While samples are collected, the detector is updated, but its
 /// result is ignored.
 ///
-/// The inference amplifies rounding errors: its steps are about as long as the prior's standard deviations. So a change
+/// The published solver amplifies rounding errors: its steps are about as long as the prior's standard deviations. So a change
 /// of the torque by one part in 10^15 may move the estimate by centimetres. Compilers that round differently give
 /// different estimates from the same seed.
 ///
-/// The tick that ends a collection runs the whole inference, which takes about half a millisecond for 2,500 steps on a
-/// desktop: too long for the loop of a host. In the paper, the inference ran in a process of its own and took 226 ms.
+/// The tick that ends a collection runs the whole inference. The published solver takes about half a millisecond for
+/// 2,500 steps on a desktop: too long for the loop of a host. In the paper, it ran in a process of its own and took
+/// 226 ms. The other solvers take some microseconds.
 /// No call but the constructor allocates or throws; the work is bounded.
 /// @tparam Network  MismatchNetwork, or a type with its Window, Output, frame() and forward(), all noexcept; without a
 ///                  network, FixedGuess. Its Scalar may differ from the pipeline's
@@ -60,7 +65,8 @@ class PublishedPipeline {
   /// @param dt       control period [s], > 0
   /// @param network  is kept by reference
   /// @param config   the defaults are the published ones
-  /// @param seed     of the random generator, a std::mt19937_64, which is not seeded again between estimates
+  /// @param seed     of the published solver's random generator, a std::mt19937_64, which is not seeded again between
+  ///                 estimates
   /// @throws std::invalid_argument naming the field out of range
   PublishedPipeline(double dt, const Network& network, const Config& config = Config(), std::uint64_t seed = 1);
   /// Deleted: a temporary network would no longer exist at the first tick.
@@ -87,6 +93,8 @@ class PublishedPipeline {
   static_assert(Network::Output::RowsAtCompileTime == 4, "a prior needs m, r_x, r_y, r_z");
 
   Status infer(InferenceResult<Scalar>& result) noexcept;
+  Status solve(const PayloadLikelihood<Scalar>& likelihood, const PayloadGaussian<Scalar>& prior,
+               InferenceResult<Scalar>& result) noexcept;
   void make_estimate() noexcept;
 
   Config config_;
@@ -181,9 +189,26 @@ Status PublishedPipeline<Scalar, Dofs, Network>::infer(InferenceResult<Scalar>& 
   PayloadLikelihood<Scalar> likelihood;
   status = published_likelihood<Scalar, Dofs>(count, observation, likelihood, config_.likelihood);
   if (status != Status::Ok) return status;
-  status = infer_payload(likelihood, prior, result, config_.inference, random_);
+  status = solve(likelihood, prior, result);
   // A payload that no arm carries could overflow in the compensation.
   return plausible(result.posterior.mean) ? status : Status::NonFiniteInput;
+}
+
+template <typename Scalar, int Dofs, typename Network>
+Status PublishedPipeline<Scalar, Dofs, Network>::solve(const PayloadLikelihood<Scalar>& likelihood,
+                                                       const PayloadGaussian<Scalar>& prior,
+                                                       InferenceResult<Scalar>& result) noexcept {
+  switch (config_.solver) {
+    case PublishedSolver::ClosedForm:
+      return infer_payload(likelihood, prior, result, VariationalInferenceConfig());
+    case PublishedSolver::MeanField:
+      return infer_payload(likelihood, prior, result, MeanFieldConfig());
+    case PublishedSolver::Exact:
+      return infer_payload(likelihood, prior, result, ExactQuadrature());
+    case PublishedSolver::Stochastic:
+      break;
+  }
+  return infer_payload(likelihood, prior, result, config_.inference, random_);
 }
 
 template <typename Scalar, int Dofs, typename Network>
