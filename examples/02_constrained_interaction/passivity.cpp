@@ -192,12 +192,12 @@ Outcome simulate(const ArmModel<7>& model, std::uint64_t seed, const Scenario& s
     if (lies) {
       belief.mean[0] = at.jacobian.row(2).dot(arm.dq()) > 0 ? kLie : 0.0;
       compensation = rme::compensation_torque<double>(belief.payload(), at.jacobian, at.rotation);
-      host.believe(belief, {});
+      host.set_payload(belief.payload());
     } else if (source != Source::Nobody) {
       if (estimator.update({arm.tau_ext(), at.jacobian, at.rotation, arm.dq()}) != rme::Status::Ok) ++out.refused;
       belief = estimator.state().payload;
       compensation = estimator.compensation(at.jacobian, at.rotation);
-      host.believe(belief, estimator.state().probability);
+      host.set_payload(belief.payload());
     }
     const Vector torque = host.update(arm, compensation);
     if (host.status() != rme::Status::Ok && host.status() != rme::Status::Infeasible) ++out.refused;

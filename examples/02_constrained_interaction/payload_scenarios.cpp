@@ -3,21 +3,20 @@
 //
 // Random poses of a simulated Panda with one joint 5 to 50 mrad from a limit, or the flange 5 to 50 mm from a wall, and
 // a target beyond it. An object of 0.5 to 3 kg is attached in mid-motion and dropped later, both in a single tick. The
-// estimator is in the loop, and its compensation is added. Each scenario runs with the rows of four hosts:
+// estimator is in the loop, and its compensation is added. Each scenario runs with the rows of three hosts:
 //
-//   published       continuous time, nominal dynamics; the compensation is added after CPIC and taken to be right
-//   observer        the same, with the external torque of a fast observer in the bias
-//   sampled         the observer's, for sampled time, tightened by the prediction error seen just before
-//   payload-aware   the sampled rows, also tightened by the estimator's posterior (payload_uncertainty.hpp)
+//   published   continuous time, nominal dynamics; the compensation is added after CPIC and taken to be right
+//   observer    the same, with the external torque of a fast observer in the bias
+//   sampled     the observer's, for sampled time, tightened by the prediction error seen just before
 //
-// Exit code 0 if the payload-aware rows were crossed by more than 1 mrad or 1 mm in no scenario, and the torque limits
-// held.
+// Exit code 0 if the sampled rows were crossed by more than 1 mrad or 1 mm in no scenario, and the torque limits held.
 #include <cmath>
 #include <cpic_host/host.hpp>
 #include <cstdio>
 #include <limits>
 #include <random>
 #include <rme/estimator.hpp>
+#include <stdexcept>
 #include <synthetic_arm/panda.hpp>
 
 #include "io/program.hpp"
@@ -33,13 +32,13 @@ constexpr double kEnd = 3;        // of a scenario [s]
 constexpr const char* kUsage =
     R"(usage: rme_02_payload_scenarios [options]
 
-Attaches and drops objects next to joint limits and walls, under four kinds of rows, and prints how far they were crossed.
+Attaches and drops objects next to joint limits and walls, under three kinds of rows, and prints how far they were crossed.
 
   --count N         how many scenarios (default 1000)
   --seed N          of the first scenario (default 1)
   --help            this text
 
-Exit codes: 0 the payload-aware rows held in all scenarios; 1 they did not; 2 unusable arguments.
+Exit codes: 0 the sampled rows held in all scenarios; 1 they did not; 2 unusable arguments.
 )";
 
 struct Scenario {
@@ -112,14 +111,13 @@ Scenario draw(const ArmModel<7>& model, std::uint64_t seed) {
   return s;
 }
 
-enum class Rows { Published, Observer, Sampled, PayloadAware };
-constexpr const char* kNames[] = {"published", "observer", "sampled", "payload-aware"};
+enum class Rows { Published, Observer, Sampled };
+constexpr const char* kNames[] = {"published", "observer", "sampled"};
 
 Outcome run(const ArmModel<7>& model, const Scenario& s, Rows rows) {
   HostConfig config = s.host;
   config.prediction = rows == Rows::Published ? Prediction::Nominal : Prediction::Observer;
-  config.sampled = rows == Rows::Sampled || rows == Rows::PayloadAware;
-  config.payload_aware = rows == Rows::PayloadAware;
+  config.sampled = rows == Rows::Sampled;
   SyntheticArmConfig<7> arm_config;
   arm_config.dt = kPeriod;
   SyntheticArm<7> arm(model, arm_config, s.start);
@@ -134,7 +132,7 @@ Outcome run(const ArmModel<7>& model, const Scenario& s, Rows rows) {
     if (k == tick(s.drop)) arm.detach(handle);
     const Kinematics<7>& kinematics = arm.kinematics();
     const rme::Status status = estimator.update({arm.tau_ext(), kinematics.jacobian, kinematics.rotation, arm.dq()});
-    if (status == rme::Status::Ok) host.believe(estimator.state().payload, estimator.state().probability);
+    if (status != rme::Status::Ok) throw std::runtime_error(to_string(status));
     const Vector torque = host.update(arm, estimator.compensation(kinematics.jacobian, kinematics.rotation));
     out.infeasible += host.status() == rme::Status::Infeasible ? 1 : 0;
     out.excess = std::max(out.excess, (torque.cwiseAbs() - model.tau_max).maxCoeff());
@@ -158,10 +156,10 @@ int run(Arguments& arguments) {
   const std::uint64_t seed = arguments.whole("--seed", 0).value_or(1);
   arguments.finish();
   const ArmModel<7>& model = panda();
-  Outcome all[4];
+  Outcome all[3];
   for (int i = 0; i < count; ++i) {
     const Scenario s = draw(model, seed + static_cast<std::uint64_t>(i));
-    for (int r = 0; r < 4; ++r) all[r].merge(run(model, s, static_cast<Rows>(r)));
+    for (int r = 0; r < 3; ++r) all[r].merge(run(model, s, static_cast<Rows>(r)));
     if ((i + 1) % 100 == 0) {
       std::fprintf(stderr, "\r%d of %d", i + 1, count);
       std::fflush(stderr);
@@ -170,18 +168,18 @@ int run(Arguments& arguments) {
   std::printf("\n%d scenarios, seeds from %llu; 0.5 to 3 kg attached and dropped in mid-motion\n\n", count,
               static_cast<unsigned long long>(seed));
   std::printf(
-      "| rows          | crossed by more than 1 mrad or 1 mm | joint limit, most | wall, most | nearest, mean | ticks "
+      "| rows      | crossed by more than 1 mrad or 1 mm | joint limit, most | wall, most | nearest, mean | ticks "
       "infeasible | torque beyond limits |\n");
   std::printf(
-      "|---------------|------------------------------------:|------------------:|-----------:|--------------:|-----"
+      "|-----------|------------------------------------:|------------------:|-----------:|--------------:|-----"
       "-------------:|---------------------:|\n");
-  for (int r = 0; r < 4; ++r) {
-    std::printf("| %-13s | %35d | %12.2f mrad | %7.2f mm | %7.2f mm, mrad | %16ld | %18.1g N m |\n", kNames[r],
+  for (int r = 0; r < 3; ++r) {
+    std::printf("| %-9s | %35d | %12.2f mrad | %7.2f mm | %7.2f mm, mrad | %16ld | %18.1g N m |\n", kNames[r],
                 all[r].crossings, 1e3 * all[r].joint, 1e3 * all[r].wall, 1e3 * all[r].short_of / count,
                 all[r].infeasible, std::max(all[r].excess, 0.0));
   }
-  const Outcome& aware = all[static_cast<int>(Rows::PayloadAware)];
-  return aware.crossings == 0 && aware.excess <= 0 ? 0 : 1;
+  const Outcome& sampled = all[static_cast<int>(Rows::Sampled)];
+  return sampled.crossings == 0 && sampled.excess <= 0 ? 0 : 1;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace rme::examples {
 /// Stored is the kinetic energy, payload included, and lambda_1 V. Supplied is the work of the push, of the payload's
 /// weight less the compensation (the wrench error of [RME, Eq. 35]), of the part of the flow that is no gradient, and
 /// of every torque that CPIC adds to J^T F_c: null space and constraints. The work of torques and pushes is exact,
-/// since they are held for a tick: a torque does the work torque^T (change of q) (docs/theory_control.md (C18)). Weight
+/// since they are held for a tick: a torque does the work torque^T (change of q) (docs/theory_control.md (C17)). Weight
 /// has a potential.
 ///
 /// The passive torque J^T F_c is held too. Its work differs from -lambda_1 dV + injected - dissipated of the moving

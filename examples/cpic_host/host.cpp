@@ -58,7 +58,7 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
   if (tank_) {  // p counts from the target, in the middle of the workspace
     status_ = tank_->update(
         q, ramp_.torque(),
-        compensation_potential<double>(payload_.payload(), kinematics.position - config_.target, kinematics.rotation));
+        compensation_potential<double>(payload_, kinematics.position - config_.target, kinematics.rotation));
     if (status_ != Status::Ok) return torque_;
     compensation_ = tank_->torque();
   }
@@ -79,20 +79,8 @@ auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexce
 
   status_ = prediction_.observe(dq);
   if (status_ != Status::Ok) return torque_;
-  const AccelerationError<double, 7> seen = config_.sampled ? prediction_.error() : AccelerationError<double, 7>();
-  AccelerationError<double, 7> error = seen;
-  if (config_.payload_aware) {
-    status_ =
-        uncertainty_.update(payload_, probability_, kinematics.jacobian, kinematics.rotation, dynamics.mass_matrix);
-    if (status_ != Status::Ok) return torque_;
-    error.below += uncertainty_.error().below;
-    error.above += uncertainty_.error().above;
-  }
   if (config_.wall) track_flange(kinematics, twist, dq);
-  status_ = solve(input, q, dq, error);
-  // The error with the payload's uncertainty can be larger than the arm can allow for. The rows are then solved with
-  // the error that was seen alone: the answer to infeasible rows would give up limits that can be kept.
-  if (status_ == Status::Infeasible && config_.payload_aware) status_ = solve(input, q, dq, seen);
+  status_ = solve(input, q, dq, config_.sampled ? prediction_.error() : AccelerationError<double, 7>());
   if (status_ == Status::NonFiniteInput || status_ == Status::NotPositiveDefinite) return torque_;
   prediction_.predict(cpic_.acceleration());
   // CPIC has kept the limits; this only removes the rounding error of the sum.

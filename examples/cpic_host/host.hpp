@@ -11,7 +11,6 @@
 #include <rme/control/linear_attractor.hpp>
 #include <rme/control/orientation_attractor.hpp>
 #include <rme/control/passive_controller.hpp>
-#include <rme/control/payload_uncertainty.hpp>
 #include <rme/control/posture.hpp>
 #include <rme/control/prediction_error.hpp>
 #include <rme/core/compensation.hpp>
@@ -50,8 +49,7 @@ struct HostConfig {
   double margin = 0.005;
   bool sampled = false;  // rows for sampled time, tightened by the error of the prediction that was seen
   Prediction prediction = Prediction::Observer;
-  std::optional<EnergyTankConfig> tank;  // pays for the compensation, with the payload of believe()
-  bool payload_aware = false;            // rows are tightened by the uncertainty of the payload of believe()
+  std::optional<EnergyTankConfig> tank;  // pays for the compensation, with the payload of set_payload()
   std::optional<Wall> wall;              // by default a soft row: the arm's own limits have priority
   double wall_weight = 1e3;              // infinite: hard
   Eigen::Vector3d target;                // of the linear attractor, or the centre of the cycle [m]
@@ -82,11 +80,8 @@ class Host {
   /// @return the torque to command [N m], gravity included
   const Vector& update(const SyntheticArm<7>& arm, const Vector& compensation) noexcept;
 
-  /// Sets the belief about the payload, for payload_aware and the tank. Until the first call, the hand is surely empty.
-  void believe(const PayloadGaussian<double>& payload, const PerHypothesis<double>& probability) noexcept {
-    payload_ = payload;
-    probability_ = probability;
-  }
+  /// Sets the estimate of the payload, for the tank's potential. Until the first call, the hand is empty.
+  void set_payload(const Payload<double>& payload) noexcept { payload_ = payload; }
 
   /// Of the last update. Infeasible and NotConverged come with a new torque; every other failure repeats the last
   /// torque.
@@ -119,10 +114,8 @@ class Host {
   std::optional<EnergyTank<double, 7>> tank_;
   Vector compensation_ = Vector::Zero();
   PredictionErrorWatch<double, 7> prediction_;
-  PayloadUncertainty<double, 7> uncertainty_;
   PointMotion<double, 7> flange_;
-  PayloadGaussian<double> payload_ = {Eigen::Vector4d::Zero(), Eigen::Matrix4d::Zero()};
-  PerHypothesis<double> probability_;
+  Payload<double> payload_;
   MomentumObserver<double, 7> disturbance_;
   Vector limit_;  // of the torques [N m]
   ConstraintRows<double, 7, 8> rows_;

@@ -15,7 +15,6 @@
 #include <rme/control/orientation_attractor.hpp>
 #include <rme/control/passive_controller.hpp>
 #include <rme/control/passivity_monitor.hpp>
-#include <rme/control/payload_uncertainty.hpp>
 #include <rme/control/posture.hpp>
 #include <rme/control/prediction_error.hpp>
 #include <rme/core/compensation.hpp>

@@ -187,7 +187,7 @@ TEST_CASE(
     "EnergyTank: what a torque puts in by being held over ticks is within the bound, which counting at ticks breaks",
     "[energy_tank]") {
   // Above the axis the torque falls as the link rises, whichever way: held, it is too large on the way up and too small
-  // on the way down. That puts in T/2 dq^2 m g l sin q (C19), 0.37 W here. The estimate is constant, and right.
+  // on the way down. That puts in T/2 dq^2 m g l sin q (C18), 0.37 W here. The estimate is constant, and right.
   const double bound = 12 + SwingingLink::kMoment;
   const int ticks = 100000;
   SwingingLink free;

@@ -146,9 +146,6 @@ struct Loop {
   static_assert(noexcept(my<rme::EnergyTank<Scalar, Dofs>>().reset()));
   static_assert(noexcept(my<rme::PredictionErrorWatch<Scalar, 7>>().observe(a<rme::JointVector<Scalar, 7>>())));
   static_assert(noexcept(my<rme::PredictionErrorWatch<Scalar, 7>>().predict(a<rme::JointVector<Scalar, 7>>())));
-  static_assert(noexcept(my<rme::PayloadUncertainty<Scalar, 7>>().update(
-      a<rme::PayloadGaussian<Scalar>>(), a<rme::PerHypothesis<Scalar>>(), a<rme::Jacobian<Scalar, 7>>(),
-      a<rme::Matrix3<Scalar>>(), a<rme::JointMatrix<Scalar, 7>>())));
   static_assert(noexcept(a<rme::EnergyTank<Scalar, Dofs>>().torque()));
   static_assert(noexcept(rme::kinetic_energy(a<Matrix>(), a<Vector>())));
   static_assert(noexcept(my<rme::PassivityMonitor<Scalar>>().update(Scalar(1), Scalar(1))));

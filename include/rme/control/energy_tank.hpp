@@ -27,7 +27,7 @@ struct EnergyTankConfig {
 /// estimate changes while the arm moves, the torque can put in energy. So can a torque that is held for a tick. The
 /// tank scales the torque. It keeps the balance B of the work that the scaled torque does: a torque that was held since
 /// the last update has done exactly tau^T (q - q_last). The level E is B minus the scaled U
-/// (docs/theory_control.md (C22)):
+/// (docs/theory_control.md (C21)):
 ///
 ///     B <- B + refill period - tau^T (q - q_last),    E = B - share U <= capacity,
 ///     share = (B - min(U, 0)) / (reserve + max(U, 0)), within 0 and 1

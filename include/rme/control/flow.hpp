@@ -5,7 +5,7 @@
 
 namespace rme {
 
-/// The value of a dynamical system at one point (f and V in docs/theory_control.md (C16, C17)): of xdot = f(x) for
+/// The value of a dynamical system at one point (f and V in docs/theory_control.md (C15, C16)): of xdot = f(x) for
 /// positions x [m], with f in m/s, or of omega = f(R) for orientations R, with f in rad/s.
 template <typename Scalar>
 struct Flow {

@@ -20,7 +20,7 @@ struct LimitCycleConfig {
 
 /// f(x) = w n x p - k (|p|^2 - r^2) / (|p|^2 + r^2) p - k (n.e) n,   e = x - c, p = e - (n.e) n
 ///
-/// [m/s] (docs/theory_control.md (C24)), with n of length 1. The circle |p| = r in the plane is the stable limit cycle;
+/// [m/s] (docs/theory_control.md (C23)), with n of length 1. The circle |p| = r in the plane is the stable limit cycle;
 /// f is smooth everywhere, also at the centre. The second and third terms are -grad V, with
 ///
 ///     V = k (|p|^2 / 2 - r^2 / 2 - r^2 log((|p|^2 + r^2) / (2 r^2))) + k (n.e)^2 / 2      [m^2/s]

@@ -17,7 +17,7 @@ struct LinearAttractorConfig {
   Scalar max_speed = Scalar(0.5);                    ///< v > 0 [m/s]; infinite for a purely linear system
 };
 
-/// f(x) = -k e / sqrt(1 + (k |e| / v)^2), e = x - x* (docs/theory_control.md (C23)): linear near the target, never
+/// f(x) = -k e / sqrt(1 + (k |e| / v)^2), e = x - x* (docs/theory_control.md (C22)): linear near the target, never
 /// faster than v, smooth everywhere. It is -grad V of V = (v^2 / k) (sqrt(1 + (k |e| / v)^2) - 1), which near the
 /// target is k |e|^2 / 2.
 template <typename Scalar>

@@ -15,7 +15,7 @@ struct OrientationAttractorConfig {
   Scalar gain = Scalar(2);                                                   ///< k > 0 [1/s]
 };
 
-/// omega = -k sin(theta) u [rad/s] (docs/theory_control.md (C25)) for the rotation by the angle theta about the unit
+/// omega = -k sin(theta) u [rad/s] (docs/theory_control.md (C24)) for the rotation by the angle theta about the unit
 /// axis u, world axes, that leads from the target to the present orientation. It is -grad V of V = k (1 - cos theta),
 /// and smooth for all orientations. With the quaternion (w, v) of that rotation it is -2 k w v, the same for both signs
 /// of the quaternion. Beyond 90 degrees it becomes weaker, and 180 degrees is an unstable equilibrium.

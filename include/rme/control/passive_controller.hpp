@@ -17,7 +17,7 @@ struct DirectionalDamping {
   Scalar blend;   ///< f_0 > 0: far below this speed D is about lambda_2 I, since f = 0 has no direction
 };
 
-/// D = lambda_2 I + (lambda_1 - lambda_2) f f^T / (|f|^2 + f_0^2) (docs/theory_control.md (C15)).
+/// D = lambda_2 I + (lambda_1 - lambda_2) f f^T / (|f|^2 + f_0^2) (docs/theory_control.md (C14)).
 ///
 /// For |f| >> f_0 it is V diag(lambda_1, lambda_2, lambda_2) V^T with the first axis of V along f [RME, Eq. 32]. The
 /// other two eigenvalues are equal, so the other two axes make no difference. At f = 0 it is lambda_2 I. D is a smooth
@@ -40,11 +40,11 @@ struct PassiveControllerConfig {
   DirectionalDamping<Scalar> angular = {Scalar(6), Scalar(6), Scalar(0.01)};   ///< [N m s/rad], same, [rad/s]
 };
 
-/// F_c = lambda_1 f(x) - D(x) xdot (docs/theory_control.md (C16)), for position and orientation alike.
+/// F_c = lambda_1 f(x) - D(x) xdot (docs/theory_control.md (C15)), for position and orientation alike.
 ///
 /// The paper has -D (xdot - f) [RME, Eq. 31]; its proof needs D f = lambda_1 f (Eq. 33), which with this D holds only
 /// for |f| >> f_0. With the F_c above, the proof holds for all f: if S = 1/2 dq^T M dq + potential_energy(), and the
-/// only torques are J^T F_c and gravity compensation, then (docs/theory_control.md (C17))
+/// only torques are J^T F_c and gravity compensation, then (docs/theory_control.md (C16))
 ///
 ///     dS/dt = xdot^T F_ext - dissipated_power() + injected_power()
 template <typename Scalar>

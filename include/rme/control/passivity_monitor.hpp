@@ -9,7 +9,7 @@
 
 namespace rme {
 
-/// 1/2 dq^T M dq [J], a part of S in docs/theory_control.md (C17). For six joints it is the 1/2 xdot^T M_x xdot of
+/// 1/2 dq^T M dq [J], a part of S in docs/theory_control.md (C16). For six joints it is the 1/2 xdot^T M_x xdot of
 /// [RME, Eq. 34]; a redundant arm also has kinetic energy in motions that do not move the hand.
 /// @param mass_matrix  M, DofsxDofs [kg m^2]
 /// @param dq           joint velocity [rad/s]
@@ -20,12 +20,12 @@ Scalar kinetic_energy(const JointMatrix<Scalar, Dofs>& mass_matrix, const JointV
 
 /// Balances the storage function S = kinetic energy + lambda_1 V [RME, Eq. 34] against the energy supplied to the
 /// system from outside. Passive means that S grows by no more than the supplied energy [RME, Eq. 35;
-/// docs/theory_control.md (C17)]: residual() never rises, except by what the controller puts in by holding its torque
-/// for a tick (C18). This part goes to zero with the period.
+/// docs/theory_control.md (C16)]: residual() never rises, except by what the controller puts in by holding its torque
+/// for a tick (C17). This part goes to zero with the period.
 ///
 /// The host gives the supply as work or as power. A torque that was held since the last tick has done exactly the work
 /// tau^T (q - q_last): update_with_work(). update() integrates power by the trapezoidal rule. Its error is in
-/// proportion to the square of the period if the power is smooth, and to the period if the torque is held (C19). Sums
+/// proportion to the square of the period if the power is smooth, and to the period if the torque is held (C18). Sums
 /// are compensated, so that float loses no small terms.
 ///
 /// The host chooses what counts as supplied: the power xdot^T (F_ext + dF_mm) of the external wrench and of the payload
@@ -45,7 +45,7 @@ class PassivityMonitor {
   /// @param power    supplied power [W] at the same instant
   /// @return Ok, or NonFiniteInput, also for numbers beyond kLargestPlausible: nothing has changed
   Status update(Scalar storage, Scalar power) noexcept;
-  /// The same with the work done since the last tick (C18).
+  /// The same with the work done since the last tick (C17).
   /// @param storage  S [J]
   /// @param work     supplied since the last update [J], e.g. tau^T (q - q_last) of a torque that was held; ignored in
   ///                 the update that starts the balance

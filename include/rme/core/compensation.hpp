@@ -8,7 +8,7 @@
 namespace rme {
 
 /// tau_comp = -J^T w(theta_hat) [N m]: holds the payload against gravity. The host adds it to the nominal controller's
-/// torque last, after CPIC; the nominal model is never corrected (docs/theory_control.md (C20)).
+/// torque last, after CPIC; the nominal model is never corrected (docs/theory_control.md (C19)).
 /// @param payload   theta_hat, the estimate
 /// @param jacobian  J, 6xDofs: a matrix, a map or a block
 /// @param rotation  R, 3x3, end-effector axes to world axes: a matrix, a map or a block
@@ -28,7 +28,7 @@ JointVector<Scalar, Columns::ColsAtCompileTime> compensation_torque(
   return torque;
 }
 
-/// U = m g.(p + R r) [J] (docs/theory_control.md (C21)): compensation_torque is -dU/dq. U is minus the payload's own
+/// U = m g.(p + R r) [J] (docs/theory_control.md (C20)): compensation_torque is -dU/dq. U is minus the payload's own
 /// potential energy.
 /// @param payload   what is held
 /// @param position  p [m], of the end-effector origin, world axes, counted from a point in the middle of the workspace:
