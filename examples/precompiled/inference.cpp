@@ -4,9 +4,7 @@ namespace rme {
 
 template Status pseudo_wrench(const Eigen::MatrixBase<Jacobian<double, 7>>&,
                               const Eigen::MatrixBase<JointVector<double, 7>>&, double, Wrench<double>&) noexcept;
-template class SampleWindow<double, 7>;
 template class MismatchDetector<7>;
-template struct SensorModel<double, 7>;
 template class PayloadStatistics<double, 7>;
 template Status exact_posterior(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
                                 ExactPosterior<double>&) noexcept;

@@ -6,9 +6,6 @@ template Status infer_payload(const PayloadLikelihood<double>&, const PayloadGau
                               InferenceResult<double>&, const StochasticViConfig&, std::mt19937_64&) noexcept;
 template class MismatchNetwork<double>;
 template class MismatchNetwork<float>;
-template class NetworkPrior<double>;
-template PayloadGaussian<double> NetworkPrior<double>::operator()(const SampleWindow<double, 7>&,
-                                                                  std::size_t) const noexcept;
 template class PublishedPipeline<double, 7>;
 
 }  // namespace rme

@@ -10,15 +10,12 @@
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/mean_field.hpp>
 #include <rme/inference/payload_statistics.hpp>
-#include <rme/inference/sensor_model.hpp>
 #include <rme/inference/stochastic_vi.hpp>
 #include <rme/network/mismatch_network.hpp>
-#include <rme/network/network_prior.hpp>
 #include <rme/published/published_pipeline.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
-#include <rme/sensing/sample_window.hpp>
 
 namespace rme {
 
@@ -27,15 +24,10 @@ extern template class Cholesky<double, 6>;
 extern template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&,
                                                                          const Matrix3<double>&,
                                                                          const Vector3<double>&) noexcept;
-extern template PayloadRegressor<double, 7> payload_regressor<double, 7>(const Jacobian<double, 7>&,
-                                                                         const Matrix3<double>&, const Vector3<double>&,
-                                                                         const FlangeMotion<double>&, double) noexcept;
 extern template Status pseudo_wrench(const Eigen::MatrixBase<Jacobian<double, 7>>&,
                                      const Eigen::MatrixBase<JointVector<double, 7>>&, double,
                                      Wrench<double>&) noexcept;
-extern template class SampleWindow<double, 7>;
 extern template class MismatchDetector<7>;
-extern template struct SensorModel<double, 7>;
 extern template class PayloadStatistics<double, 7>;
 extern template Status exact_posterior(const PayloadLikelihood<double>&, const PayloadGaussian<double>&,
                                        ExactPosterior<double>&) noexcept;
@@ -48,9 +40,6 @@ extern template Status infer_payload(const PayloadLikelihood<double>&, const Pay
                                      InferenceResult<double>&, const StochasticViConfig&, std::mt19937_64&) noexcept;
 extern template class MismatchNetwork<double>;
 extern template class MismatchNetwork<float>;
-extern template class NetworkPrior<double>;
-extern template PayloadGaussian<double> NetworkPrior<double>::operator()(const SampleWindow<double, 7>&,
-                                                                         std::size_t) const noexcept;
 extern template class MomentumObserver<double, 7>;
 extern template class Estimator<double, 7>;
 extern template class PublishedPipeline<double, 7>;

@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <rme/sensing/sample_window.hpp>
 #include <string>
 
 #include "io/program.hpp"
@@ -103,23 +102,18 @@ void print_row(const ReplayedEstimate& e) {
   std::printf("\n");
 }
 
-/// The network's output (m, r) for the 200 ms that end at `t`, or null if the samples are too unlike its training data.
+/// The network's output (m, r) for the 200 ms that end at `t`, or null if there are too few samples.
 template <int Dofs>
 ordered_json guess_of(const NetworkFile& file, const Log<Dofs>& log, const Samples<Dofs>& samples, double t) {
   const double dt = samples.timing.period;
-  rme::SampleWindowConfig config;
-  config.observer_bandwidth = std::min(samples.bandwidth, 1 / dt);
-  rme::SampleWindow<double, Dofs> window(dt, config);
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < samples.sample.size(); ++k) {
-    if (const double at = log.t[samples.row[k]]; at < t - 0.3 || at >= t + 0.5 * dt) continue;
-    (void)window.push(samples.sample[k]);
-    ++count;
-  }
-  if (count < 2) return nullptr;
-  const rme::NetworkPrior<double> prior(*file.network, dt, file.config);
-  rme::Vector4<double> said;
-  return prior.guess(window, window.size(), said) ? ordered_json(list(said)) : ordered_json(nullptr);
+  const auto later = [&](double limit, std::size_t row) { return limit < log.t[row]; };
+  const auto end = std::upper_bound(samples.row.begin(), samples.row.end(), t + 0.5 * dt, later);
+  const auto count = std::lround(0.2 / dt), first = end - samples.row.begin() - count;
+  if (first < 0) return nullptr;
+  const auto guess = file.guess<Dofs>(static_cast<int>(count), [&](int i) -> const rme::Proprioception<double, Dofs>& {
+    return samples.sample[static_cast<std::size_t>(first + i)];
+  });
+  return guess ? ordered_json(list(*guess)) : ordered_json(nullptr);
 }
 
 template <int Dofs>

@@ -17,7 +17,7 @@ while(pending)
 endwhile()
 
 set(apart
-    "json\\.hpp$|^rme/(network|published|inference)/|^rme/sensing/(friction_direction|mismatch_detector|pseudo_wrench|sample_window)|^rme/core/ring_buffer")
+    "json\\.hpp$|^rme/(network|published|inference)/|^rme/sensing/(mismatch_detector|pseudo_wrench)|^rme/core/ring_buffer")
 foreach(header IN LISTS headers)
   if(header MATCHES ${apart} AND NOT header STREQUAL rme/inference/payload_gaussian.hpp)
     if(header IN_LIST reached)

@@ -1,18 +1,6 @@
 #include "inference/likelihoods.hpp"
 
-#include "support/catch.hpp"
-
 namespace rme::testing {
-
-PayloadLikelihood<double> likelihood_of(const Event& event) {
-  return likelihood_of(event, event.precision);
-}
-
-PayloadLikelihood<double> likelihood_of(const Event& event, const JointVector<double, kDofs>& precision) {
-  PayloadLikelihood<double> likelihood;
-  REQUIRE(event.statistics.likelihood(precision, event.nuisance, likelihood) == Status::Ok);
-  return likelihood;
-}
 
 PayloadLikelihood<float> in_float(const PayloadLikelihood<double>& l) {
   PayloadLikelihood<float> lf;

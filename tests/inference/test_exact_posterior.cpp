@@ -108,7 +108,7 @@ TEST_CASE("exact_posterior: sharp posteriors are integrated as well wherever the
     CAPTURE(k);
     const auto event = random_event(random, 20);
     // White noise alone: the mass is known to a gram or less.
-    const rme::PayloadLikelihood<double> l = event.statistics.white_likelihood(10 * event.precision);
+    const rme::PayloadLikelihood<double> l = event.statistics.likelihood(10 * event.precision);
     // In steps of less than 3 grams a whole spacing onwards.
     auto prior = wide_prior();
     const double spacing = 12 * prior.standard_deviation()[0] / 64;
@@ -124,7 +124,7 @@ TEST_CASE("exact_posterior: a mass that the prior all but excludes is found", "[
   for (int k = 0; k < 40; ++k) {
     CAPTURE(k);
     const auto event = random_event(random, 20);
-    const rme::PayloadLikelihood<double> l = event.statistics.white_likelihood(event.precision);
+    const rme::PayloadLikelihood<double> l = event.statistics.likelihood(event.precision);
     // 6.5 to 14 deviations of 0.1 kg too heavy, or, where that is a mass still, too light.
     auto prior = wide_prior();
     const double deviations = 6.5 + 0.2 * k;

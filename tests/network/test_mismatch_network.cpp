@@ -5,7 +5,6 @@
 #include <random>
 #include <rme/network/json.hpp>
 #include <rme/network/mismatch_network.hpp>
-#include <rme/network/mlp.hpp>
 #include <run_network/json_file.hpp>
 
 #include "network/golden.hpp"
@@ -28,8 +27,8 @@ Eigen::Vector4d layer_by_layer(const rme::MismatchNetworkWeights<double>& w,
   const rme::SelfAttention<double, 20, 64, 8> attention{
       as_linear<64, 192>(w.attention_in_proj_weight, w.attention_in_proj_bias),
       as_linear<64, 64>(w.attention_out_proj_weight, w.attention_out_proj_bias)};
-  const rme::SharedMlp<double, 64, 256, 3> mlp{as_linear<64, 256>(w.mlp_0_weight, w.mlp_0_bias),
-                                               as_linear<256, 64>(w.mlp_2_weight, w.mlp_2_bias)};
+  const auto expand = as_linear<64, 256>(w.mlp_0_weight, w.mlp_0_bias);
+  const auto contract = as_linear<256, 64>(w.mlp_2_weight, w.mlp_2_bias);
   const auto head = as_linear<64, 4>(w.head_weight, w.head_bias);
 
   Eigen::Matrix<double, 20, 6> normalized;
@@ -39,7 +38,12 @@ Eigen::Vector4d layer_by_layer(const rme::MismatchNetworkWeights<double>& w,
   embedded += as_matrix<20, 64>(w.positional_embedding).transpose();
   attention.forward(embedded, attended);
   Eigen::Matrix<double, 64, 1> pooled = attended.rowwise().mean();
-  mlp.forward(pooled);
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    Eigen::Matrix<double, 256, 1> hidden;
+    expand.forward(pooled, hidden);
+    hidden = hidden.cwiseMax(0.0);
+    contract.forward(hidden, pooled);
+  }
   Eigen::Matrix<double, 4, 1> out;
   head.forward(pooled, out);
   return out;

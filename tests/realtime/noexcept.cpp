@@ -1,16 +1,12 @@
 // Every call that a host makes in its loop, and every one that those are made of, cannot throw. Compiles, or does not.
 #include <random>
 #include <rme/core/ring_buffer.hpp>
-#include <rme/inference/evidence.hpp>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/mean_field.hpp>
 #include <rme/inference/published_likelihood.hpp>
-#include <rme/inference/sensor_model.hpp>
 #include <rme/inference/stochastic_vi.hpp>
-#include <rme/network/network_prior.hpp>
 #include <rme/published/published_pipeline.hpp>
 #include <rme/rme.hpp>
-#include <rme/sensing/friction_direction.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 
 namespace {
@@ -44,8 +40,6 @@ struct Loop {
   static_assert(noexcept(my<Tracking>().set_payload(a<rme::PayloadGaussian<Scalar>>())));
   static_assert(noexcept(my<Tracking>().inhibit(true)) && noexcept(my<Tracking>().reset()));
   static_assert(noexcept(a<Tracking>().config()) && noexcept(a<rme::EstimatorState<Scalar>>().empty()));
-  using Prior = rme::NetworkPrior<Scalar>;
-  using Window = rme::SampleWindow<Scalar, Dofs>;
 
   // tracking
   using Block = rme::TorqueBlock<Scalar, Dofs>;
@@ -73,9 +67,6 @@ struct Loop {
   using Detector = rme::MismatchDetector<Dofs>;
   using Observer = rme::MomentumObserver<Scalar, Dofs>;
   static_assert(noexcept(rme::check_sample(a<Tick>())));
-  static_assert(noexcept(my<Window>().push(a<Tick>())) && noexcept(my<Window>().reset()));
-  static_assert(noexcept(a<Window>().newest(1)) && noexcept(a<Window>().size()));
-  static_assert(noexcept(my<rme::FrictionDirection<Scalar, Dofs>>().update(a<Vector>(), a<Vector>(), a<Vector3>())));
   static_assert(noexcept(my<Detector>().update(a<typename Detector::Signal>())) && noexcept(my<Detector>().reset()));
   static_assert(noexcept(a<Detector>().detected()) && noexcept(a<Detector>().rapid_change()));
   static_assert(noexcept(a<Detector>().stabilised()));
@@ -87,33 +78,20 @@ struct Loop {
   // network
   using Network = rme::MismatchNetwork<Scalar>;
   static_assert(noexcept(a<Network>().forward(a<typename Network::Window>(), my<typename Network::Output>())));
-  static_assert(noexcept(a<Prior>()(a<Window>(), 1)));
-  static_assert(noexcept(a<Prior>().guess(a<Window>(), 1, my<rme::Vector4<Scalar>>())));
-  static_assert(noexcept(a<rme::FixedPrior<Scalar>>()(a<Window>(), 1)));
 
   // inference
   using Gaussian = rme::PayloadGaussian<Scalar>;
   using Likelihood = rme::PayloadLikelihood<Scalar>;
   using Result = rme::InferenceResult<Scalar>;
   using Statistics = rme::PayloadStatistics<Scalar, Dofs>;
-  using Nuisance = rme::NuisanceGaussian<Scalar, Dofs>;
   using Observation = rme::PayloadObservation<Scalar, Dofs>;
-  using Sensor = rme::SensorModel<Scalar, Dofs>;
-  static_assert(noexcept(rme::payload_regressor<Scalar, Dofs>(a<Jacobian>(), a<Matrix3>(), a<Vector3>(),
-                                                              a<rme::FlangeMotion<Scalar>>(), Scalar(0))));
-  static_assert(noexcept(my<Statistics>().add(a<Observation>())) && noexcept(my<Statistics>() += a<Statistics>()));
-  static_assert(noexcept(a<Statistics>().marginals(a<Vector>(), a<Nuisance>(), my<typename Statistics::Marginals>())));
-  static_assert(noexcept(a<Statistics>().likelihood(a<Vector>(), a<Nuisance>(), my<Likelihood>())));
-  static_assert(noexcept(a<Statistics>().nuisance_posterior(a<Vector>(), a<Nuisance>(), my<Nuisance>())));
+  static_assert(noexcept(rme::payload_regressor<Scalar, Dofs>(a<Jacobian>(), a<Matrix3>(), a<Vector3>())));
+  static_assert(noexcept(my<Statistics>().add(a<Observation>())) && noexcept(a<Statistics>().likelihood(a<Vector>())));
   static_assert(noexcept(rme::infer_payload(a<Likelihood>(), a<Gaussian>(), my<Result>())));
   static_assert(noexcept(rme::infer_payload(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::MeanFieldConfig())));
   static_assert(noexcept(rme::infer_payload(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::ExactQuadrature())));
   static_assert(noexcept(rme::infer_payload(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::StochasticViConfig(),
                                             my<std::mt19937_64>())));
-  static_assert(noexcept(rme::payload_log_evidence(a<Likelihood>(), a<Payload>())));
-  static_assert(noexcept(rme::push_log_evidence<Scalar, Dofs>(a<typename Statistics::Marginals>(), a<Payload>(),
-                                                              a<Jacobian>(), a<rme::PushPrior>(), my<Scalar>())));
-  static_assert(noexcept(a<Sensor>().precision(Scalar(1))) && noexcept(a<Sensor>().after_event(a<Nuisance>())));
 
   // control
   using Flow = rme::Flow<Scalar>;

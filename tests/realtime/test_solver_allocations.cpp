@@ -1,6 +1,5 @@
 #include <random>
 #include <rme/inference/exact_posterior.hpp>
-#include <rme/inference/fixed_prior.hpp>
 #include <rme/inference/mean_field.hpp>
 #include <rme/inference/published_likelihood.hpp>
 #include <rme/inference/stochastic_vi.hpp>
@@ -31,7 +30,7 @@ TEST_CASE("Allocations: none in the four solvers and the published likelihood", 
     for (double& tau : o.tau) tau += 0.05 * normal(random);
   }
   const auto observation = [&](int i) { return observations[i]; };
-  const Gaussian prior = rme::FixedPrior<double>().gaussian;
+  const auto prior = Gaussian::independent({0.8, 0, 0, 0.1}, {0.6, 0.05, 0.05, 0.06});
   rme::PayloadLikelihood<double> likelihood;
   rme::InferenceResult<double> result;
   double mass[4] = {};

@@ -1,18 +1,14 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/mean_field.hpp>
 #include <rme/inference/stochastic_vi.hpp>
-#include <rme/network/network_prior.hpp>
 #include <rme/rme.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
-#include <rme/sensing/sample_window.hpp>
 #include <string>
 #include <vector>
 
-#include "network/golden.hpp"
 #include "support/catch.hpp"
 #include "support/held_arm.hpp"
 
@@ -105,7 +101,6 @@ TEST_CASE("Settings: what a loop is made of refuses numbers out of range by name
   using Vector7 = rme::JointVector<double, 7>;
 
   check_refused("MismatchDetector::dt", not_positive, [](double x) { rme::MismatchDetector<7>{x}; });
-  check_refused("SampleWindow::dt", not_positive, [](double x) { rme::SampleWindow<double, 7>{x}; });
   check_refused("MomentumObserver::dt", not_positive, [](double x) { rme::MomentumObserver<double, 7>{x}; });
   check_refused("CompensationRamp::period", not_positive, [](double x) { rme::CompensationRamp<double, 7>{x}; });
   check_refused("EnergyTank::period", not_positive, [](double x) { rme::EnergyTank<double, 7>{x}; });
@@ -220,26 +215,6 @@ TEST_CASE("Settings: what a loop is made of refuses numbers out of range by name
                 [&](double x) { with_posture([=](auto& c) { c.stiffness = x; }); });
   check_refused("PostureConfig::damping", {-1.0, kNan, kInfinity},
                 [&](double x) { with_posture([=](auto& c) { c.damping = x; }); });
-
-  const auto network = std::make_unique<rme::MismatchNetwork<float>>(*golden::random_weights<float>());
-  const auto with_prior = [&network](auto change) {
-    rme::NetworkPriorConfig<double> config;
-    change(config);
-    rme::NetworkPrior<double>(*network, kPeriod, config);
-  };
-  check_refused("NetworkPrior::dt", not_positive, [&](double x) { rme::NetworkPrior<double>(*network, x); });
-  check_refused("NetworkPriorConfig::standard_deviation", not_positive,
-                [&](double x) { with_prior([=](auto& c) { c.standard_deviation[2] = x; }); });
-  check_refused("NetworkPriorConfig::farthest", {0.0, -1.0, kNan},
-                [&](double x) { with_prior([=](auto& c) { c.farthest = x; }); });
-  check_refused("NetworkPriorConfig::unknown", {0.0, -1.0, kNan, kInfinity},
-                [&](double x) { with_prior([=](auto& c) { c.unknown.gaussian.covariance(1, 1) = x; }); });
-  check_refused("NetworkPriorConfig::gravity", {0.0, kNan, kInfinity},
-                [&](double x) { with_prior([=](auto& c) { c.gravity *= x; }); });
-  check_refused("NetworkPriorConfig::spacing", {0.0, -1.0, kNan, kInfinity, 1e-4},
-                [&](double x) { with_prior([=](auto& c) { c.spacing = x; }); });
-  check_refused("NetworkPriorConfig::damping", not_positive,
-                [&](double x) { with_prior([=](auto& c) { c.damping = x; }); });
 }
 
 }  // namespace

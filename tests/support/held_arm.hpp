@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <random>
-#include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
-#include <rme/inference/payload_regressor.hpp>
+#include <rme/core/wrench.hpp>
 #include <rme/sensing/proprioception.hpp>
 #include <synthetic_arm/panda.hpp>
 
@@ -42,7 +41,7 @@ class HeldArm {
 
   /// Advances by one period.
   const Proprioception<double, 7>& tick() {
-    Vector tau = moving() ? advance().torque(payload_) : torque(payload_);
+    Vector tau = moving() ? advance() : torque(payload_);
     tau += sample_.jacobian.transpose() * push_.vector() + offset_;
     if (noise_ > 0)
       for (int j = 0; j < 7; ++j) tau[j] += noise_ * model_.typical_noise[j] * normal_(random_);
@@ -63,8 +62,9 @@ class HeldArm {
     sample_.jacobian = at.jacobian;
     sample_.rotation = at.rotation;
   }
-  /// One period along the path; the regressor of the motion on it.
-  PayloadRegressor<double, 7> advance() {
+  /// One period along the path; the joint torque of the payload, which Newton's law gives as a point mass at p = R r:
+  /// its force is m (g - a_p), with a_p = a + alpha x p + omega x (omega x p).
+  Vector advance() {
     const auto last = Twist<double>::from_vector(sample_.jacobian * sample_.dq);
     progress_ = std::min(1.0, progress_ + step_);
     const double s = progress_, rest = s * (1 - s);
@@ -72,9 +72,11 @@ class HeldArm {
     sample_.dq = 30 * rest * rest * step_ / kPeriod * way_;
     place();
     const auto twist = Twist<double>::from_vector(sample_.jacobian * sample_.dq);
-    const FlangeMotion<double> motion = {twist.angular, (twist.linear - last.linear) / kPeriod,
-                                         (twist.angular - last.angular) / kPeriod};
-    return payload_regressor<double, 7>(sample_.jacobian, sample_.rotation, model_.gravity_vector, motion, 0.0);
+    const Eigen::Vector3d omega = twist.angular, alpha = (omega - last.angular) / kPeriod;
+    const Eigen::Vector3d p = sample_.rotation * payload_.com;
+    const Eigen::Vector3d a_p = (twist.linear - last.linear) / kPeriod + alpha.cross(p) + omega.cross(omega.cross(p));
+    const Eigen::Vector3d force = payload_.mass * (model_.gravity_vector - a_p);
+    return sample_.jacobian.transpose() * Wrench<double>{force, p.cross(force)}.vector();
   }
 
   const examples::ArmModel<7>& model_ = examples::panda();

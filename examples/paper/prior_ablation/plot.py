@@ -2,8 +2,8 @@
 """Draws what rme_prior_ablation --output DIR has written, after Figure 10 of the paper.
 
 Parity plots for the arms with link-side sensing: each parameter's estimate over its true value. Perfect estimates are on the
-dotted line. The rows are the network alone, the published pipeline, and the tracker half a second after the attach; the
-colours tell estimates with the network from those without.
+dotted line. The rows are the network alone, the published pipeline with the published solver and with the exact posterior,
+and the tracker half a second after the attach; the colours tell estimates with the network from those without.
 """
 import pathlib
 import sys
@@ -15,12 +15,13 @@ PARAMETERS = (("mass", "mass [kg]", 1), ("x", "x [mm]", 1e3), ("y", "y [mm]", 1e
 WITH, WITHOUT = "#0072b2", "#d55e00"
 ROWS = (("network alone", ((WITH, "network alone"),)),
         ("published pipeline", ((WITHOUT, "published pipeline without network"), (WITH, "published pipeline"))),
-        ("tracker", ((WITHOUT, "tracker"), (WITH, "tracker with network"))))
+        ("pipeline, exact", ((WITHOUT, "pipeline, exact without network"), (WITH, "pipeline, exact"))),
+        ("tracker", ((WITHOUT, "tracker"),)))
 
 
 def draw(folder):
     rows = [row for row in read(folder / "data_sets.csv") if row["sensing"] == "link side"]
-    figure, axes = plt.subplots(len(ROWS), 4, figsize=(10, 7), constrained_layout=True, sharex="col", sharey="col")
+    figure, axes = plt.subplots(len(ROWS), 4, figsize=(10, 9), constrained_layout=True, sharex="col", sharey="col")
     for line, (title, series) in zip(axes, ROWS):
         for ax, (name, label, unit) in zip(line, PARAMETERS):
             for colour, by in series:

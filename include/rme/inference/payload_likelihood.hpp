@@ -19,9 +19,6 @@ struct PayloadLikelihood {
   Vector3<Scalar> yB = Vector3<Scalar>::Zero();  ///< sum of B^T W y [1/(kg m)]
   Vector3<Scalar> aB = Vector3<Scalar>::Zero();  ///< sum of B^T W a [1/(kg^2 m)]
   Matrix3<Scalar> BB = Matrix3<Scalar>::Zero();  ///< sum of B^T W B [1/(kg m)^2]
-  /// Log of the likelihood's constant factor [nats], up to a term that all sensor models share. With it, sensor models
-  /// of the same window can be compared.
-  Scalar log_factor = Scalar(0);
 
   /// The likelihood with these sums.
   /// @param products  precision-weighted products of (y, a, B_x, B_y, B_z), 5x5, symmetric

@@ -20,8 +20,7 @@ struct PublishedLikelihoodConfig {
 ///
 ///     sigma_j = max(0.25 (max_t tau_j - min_t tau_j), 0.1 N m)     (docs/theory.md (T45))
 ///
-/// It has no offset, no friction and no correlation of the noise: PayloadStatistics::likelihood with nuisances is
-/// better. The paper takes the raw tau_ext and the regressor at rest.
+/// It has no offset, no friction and no correlation of the noise. The paper takes the raw tau_ext and the regressor at rest.
 /// @param count            samples in the window, >= 1; if there are fewer than config.samples, some are taken twice
 /// @param at               callable (int i) -> PayloadObservation, i from 0 to count - 1; tau and regressor are used
 /// @param[out] likelihood  as it was unless the status is Ok
@@ -44,7 +43,7 @@ Status published_likelihood(int count, const At& at, PayloadLikelihood<Scalar>& 
   }
   const JointVector<Scalar, Dofs> sigma =
       (Scalar(config.range_share) * (most - least)).cwiseMax(Scalar(config.least_sigma));
-  likelihood = sums.white_likelihood(sigma.cwiseAbs2().cwiseInverse());
+  likelihood = sums.likelihood(sigma.cwiseAbs2().cwiseInverse());
   return Status::Ok;
 }
 

@@ -1,9 +1,7 @@
 #include <cmath>
 #include <rme/rme.hpp>
-#include <rme/sensing/friction_direction.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
-#include <rme/sensing/sample_window.hpp>
 
 #include "headers/float_core/float_core.hpp"
 
@@ -21,19 +19,6 @@ bool detector_sees_a_step_when_it_has_settled() {
   }
   signal[3] = kNan;
   return detector.update(signal) == Status::NonFiniteInput && detector.detected();
-}
-
-bool window_takes_the_observers_lag_out() {
-  rme::SampleWindow<float, 7> window(1e-3);
-  rme::Proprioception<float, 7> sample;
-  for (int k = 0; k < 500; ++k) {
-    const float tau = k < 250 ? 1.0F : 4.0F;
-    sample.tau_ext[0] += 0.05F * (tau - sample.tau_ext[0]);
-    if (window.push(sample) != Status::Ok) return false;
-    // Differences of numbers of size 4 are divided by 0.05: 20 units of the last place of 4, and one of the sum.
-    if (k > 0 && !near(window.newest().tau[0], tau, 25 * 4 * std::numeric_limits<float>::epsilon())) return false;
-  }
-  return true;
 }
 
 bool observer_shows_a_step_through_its_filter() {
@@ -77,7 +62,6 @@ bool bad_samples_are_named() {
 
 const std::vector<Case> kSensing = {
     {"MismatchDetector: sees a step once it has settled", detector_sees_a_step_when_it_has_settled},
-    {"SampleWindow: the observer's lag taken out", window_takes_the_observers_lag_out},
     {"MomentumObserver: a step through its filter", observer_shows_a_step_through_its_filter},
     {"pseudo_wrench: the wrench that made the torque", pseudo_wrench_is_the_wrench_that_made_the_torque},
     {"check: bad samples are named", bad_samples_are_named},
