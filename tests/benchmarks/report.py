@@ -260,9 +260,9 @@ def alternatives(benchmarks):
             "tracker: the 200 ticks before the attach, together", "PublishedPipeline: the 200 before the attach, together")
         add("tracker, the 200 ticks after an attach together", "PublishedPipeline, the tick that estimates", run,
             "tracker: the 200 ticks after the attach, together", "PublishedPipeline: the tick that estimates")
-    for source in ("from the sums", "from the likelihood"):
-        add(f"closed-form VI, {source}", "rme's stochastic VI with the published settings, from the same", "bench_inference",
-            f"infer_payload: full covariance, {source}", f"infer_payload: stochastic VI as published, {source}")
+    add("closed-form VI, from the likelihood", "rme's stochastic VI with the published settings, from the same",
+        "bench_inference", "infer_payload: full covariance, from the likelihood",
+        "infer_payload: stochastic VI as published, from the likelihood")
     for active in ("no active row", "1 active row", "2 or 3 active rows", "4 or more active rows"):
         for peer, name in (("quadprog", "quadprog, Fortran from R's package"), ("NLopt SLSQP", "NLopt's SLSQP")):
             add(f"quadratic program of 14 rows and a box, cold, {active}", name, "bench_qp_peers",

@@ -187,7 +187,7 @@ MismatchDetector<1> after(double level, double last, const MismatchDetectorConfi
 TEST_CASE(
     "MismatchDetector: a change as large as the threshold is none yet, and means as far apart as theirs have settled",
     "[detector]") {
-  // (T49): > and <=. Quarters of a newton metre are exact in the sums.
+  // (T44): > and <=. Quarters of a newton metre are exact in the sums.
   MismatchDetectorConfig config = MismatchDetectorConfig::published();
   config.activation_threshold = 1.25;
   config.stabilisation_threshold = 0.25;

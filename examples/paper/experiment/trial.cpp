@@ -9,7 +9,7 @@ namespace {
 PublishedPipelineConfig<double> published_config(double collection) {
   PublishedPipelineConfig<double> config;
   config.collection = collection;
-  config.damping = shipped_network().config.damping;
+  config.damping = shipped_network().damping;
   return config;
 }
 

@@ -15,7 +15,7 @@ PARAMETERS = (("mass", "mass [kg]", 1), ("x", "x [mm]", 1e3), ("y", "y [mm]", 1e
 WITH, WITHOUT = "#0072b2", "#d55e00"
 ROWS = (("network alone", ((WITH, "network alone"),)),
         ("published pipeline", ((WITHOUT, "published pipeline without network"), (WITH, "published pipeline"))),
-        ("pipeline, exact", ((WITHOUT, "pipeline, exact without network"), (WITH, "pipeline, exact"))),
+        ("pipeline (exact)", ((WITHOUT, "pipeline (exact) without network"), (WITH, "pipeline (exact)"))),
         ("tracker", ((WITHOUT, "tracker"),)))
 
 

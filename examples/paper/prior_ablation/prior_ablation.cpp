@@ -91,9 +91,9 @@ struct NamedSolver {
   const char* name;
 };
 constexpr std::array<NamedSolver, 4> kSolvers = {{{PublishedSolver::Stochastic, "published pipeline"},
-                                                  {PublishedSolver::ClosedForm, "pipeline, closed form"},
-                                                  {PublishedSolver::MeanField, "pipeline, mean field"},
-                                                  {PublishedSolver::Exact, "pipeline, exact"}}};
+                                                  {PublishedSolver::ClosedForm, "pipeline (closed form)"},
+                                                  {PublishedSolver::MeanField, "pipeline (mean field)"},
+                                                  {PublishedSolver::Exact, "pipeline (exact)"}}};
 
 /// The estimates of the published pipeline with one solver; none where it has made no estimate.
 struct Published {

@@ -55,7 +55,7 @@ namespace detail {
 
 /// p(m | y) and p(r | m, y) in coordinates in which no matrix is needed for each m. Given m, the prior of r has a mean
 /// that is linear in m: r = e + k m + s. With s = T z, where z ~ N(0, 1) and T^T BB T = diag(lambda)
-/// (docs/theory.md (T46)),
+/// (docs/theory.md (T42)),
 ///
 ///     z | m, y ~ N(u / (1 + m^2 lambda), 1 / (1 + m^2 lambda)),   u = T^T (m yB - m^2 (aB + BB (e + k m)))
 template <typename Scalar>

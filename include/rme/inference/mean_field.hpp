@@ -23,7 +23,7 @@ struct MeanFieldConfig {
 
 /// The diagonal Gaussian q that maximises the ELBO, by coordinate ascent over three blocks: the four means, the
 /// variance of the mass, the variances of the centre of mass. The variances have their optimum in closed form
-/// (docs/theory.md (T43)),
+/// (docs/theory.md (T39)),
 ///
 ///     1 / v_i = -E_q[hess log p]_ii
 ///

@@ -18,7 +18,7 @@ struct PublishedLikelihoodConfig {
 
 /// tau_t ~ N(m (a_t + B_t r), diag(sigma_j^2)) over uniformly spaced samples, with
 ///
-///     sigma_j = max(0.25 (max_t tau_j - min_t tau_j), 0.1 N m)     (docs/theory.md (T45))
+///     sigma_j = max(0.25 (max_t tau_j - min_t tau_j), 0.1 N m)     (docs/theory.md (T41))
 ///
 /// It has no offset, no friction and no correlation of the noise. The paper takes the raw tau_ext and the regressor at rest.
 /// @param count            samples in the window, >= 1; if there are fewer than config.samples, some are taken twice

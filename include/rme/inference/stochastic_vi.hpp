@@ -31,7 +31,7 @@ struct StochasticViConfig {
 /// Maximises the ELBO of a diagonal Gaussian q = N(mu, diag(exp(2 s))) by its one-sample reparametrised gradient: with
 /// theta = mu + exp(s) epsilon, epsilon ~ N(0, 1), and g = grad log p(y, theta),
 ///
-///     d/dmu = g,   d/ds = g exp(s) epsilon + 1                               (docs/theory.md (T44))
+///     d/dmu = g,   d/ds = g exp(s) epsilon + 1                               (docs/theory.md (T40))
 ///
 /// with Adam (Kingma and Ba, 2015), decay rates 0.9 and 0.999. The last iterate is the result, noise included. The work
 /// is bounded, but too much for a control tick (docs/performance.md). No allocation. The settings are not checked.

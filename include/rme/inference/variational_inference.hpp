@@ -12,7 +12,7 @@
 namespace rme {
 
 /// Expectations of log p(y, theta) = L(theta) + log N(theta; prior) under a Gaussian. L is a quartic polynomial, so
-/// each expectation is exact (Isserlis; docs/theory.md (T41)).
+/// each expectation is exact (Isserlis; docs/theory.md (T37)).
 template <typename Scalar>
 class ExpectedLogJoint {
  public:
@@ -90,7 +90,7 @@ struct VariationalInferenceConfig {
   double tolerance = 1e-4;  ///< stop when a step is below this many posterior standard deviations
 };
 
-/// The Gaussian q that maximises the ELBO, full covariance, by the fixed point (docs/theory.md (T42)) of
+/// The Gaussian q that maximises the ELBO, full covariance, by the fixed point (docs/theory.md (T38)) of
 ///
 ///     Sigma^-1 = -E_q[hess log p],   mu <- mu + Sigma E_q[grad log p]
 ///

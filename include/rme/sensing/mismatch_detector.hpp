@@ -39,7 +39,7 @@ struct MismatchDetectorConfig {
 };
 
 /// Watches a signal s of `Channels` numbers. A mismatch is detected if the signal has changed rapidly over the window
-/// and has settled since (docs/theory.md (T49)):
+/// and has settled since (docs/theory.md (T44)):
 ///
 ///     ||s(newest) - s(oldest)|| > activation    and    ||mean_i - mean(newest)|| <= stabilisation,  i = 1, 2, 3
 ///

@@ -14,7 +14,7 @@ struct MomentumObserverConfig {
   JointVector<Scalar, Dofs> gain = JointVector<Scalar, Dofs>::Constant(Scalar(50));  ///< K [rad/s], 0 < K dt <= 1
 };
 
-/// Generalised-momentum observer (De Luca and Mattone, ICRA 2005; docs/theory.md (T50), its filter (T7)).
+/// Generalised-momentum observer (De Luca and Mattone, ICRA 2005; docs/theory.md (T45), its filter (T7)).
 ///
 /// With p = M dq the dynamics read dp/dt = tau + C^T dq - g + tau_ext, so tau_ext is the part of dp/dt that the model
 /// does not explain. u_k is the average of tau_ext over the period that ends with sample k, and r_k is the observer's
@@ -31,7 +31,7 @@ struct MomentumObserverConfig {
 ///
 /// For a constant external torque, r then does not depend on how the time was divided into samples, and lost ticks
 /// count as time that passed. To compare r with a model x of tau_ext, average x over the period that ends with sample k
-/// and pass it through the same filter, or invert the filter (SampleWindow).
+/// and pass it through the same filter, or invert the filter (docs/theory.md (T8)).
 ///
 /// Sign: r is what the environment exerts on the arm, tau_ext in M ddq + C dq + g = tau + tau_ext. r also contains
 /// joint friction that the torque sensor does not measure, and an offset of the torque sensor with the opposite sign.

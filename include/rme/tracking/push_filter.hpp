@@ -9,7 +9,7 @@
 
 namespace rme {
 
-/// Computes the likelihood of a block's torque if a wrench w acts in addition to the payload (docs/theory.md (T48)).
+/// Computes the likelihood of a block's torque if a wrench w acts in addition to the payload (docs/theory.md (T43)).
 /// The wrench of a new push may be any: w ~ N(0, W). The wrench of a push that goes on changes little from block to
 /// block. So its six unknowns lower the evidence only once, as a payload's unknowns do, and a push and a payload are
 /// compared by which of them fits better. Once a second the wrench is taken as new in any case, so that a payload which
