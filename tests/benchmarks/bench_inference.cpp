@@ -8,6 +8,7 @@
 #include <rme/inference/stochastic_vi.hpp>
 #include <rme/inference/variational_inference.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
+#include <rme/sensing/proprioception.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
 #include <vector>
 
