@@ -4,7 +4,8 @@
     python3 plot.py DIR [PICTURE]
 
 Top: the position error of the flange with and without compensation. Middle: the estimated mass. Bottom: the norm of the
-external torque. Shaded: the times when the likeliest hypothesis was a change.
+external torque. Shaded: the times when the likeliest mode was neither an empty
+hand nor a payload that stays as it is.
 """
 import pathlib
 import sys
@@ -15,7 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from plotting import columns, main, plt
 
 WITH, WITHOUT, CHANGE = "#0072b2", "#d55e00", "#cfe3f1"
-SETTLED = ("empty", "steady")
+SETTLED = ("empty", "held")
 
 
 def norm(run, names):
@@ -23,8 +24,8 @@ def norm(run, names):
 
 
 def changes(run):
-    """(begin, end) of each interval in which a change was the likeliest hypothesis [s]."""
-    changing = ~np.isin(run["hypothesis"], SETTLED)
+    """(begin, end) of each interval in which the likeliest mode was not a settled one [s]."""
+    changing = ~np.isin(run["mode"], SETTLED)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], changing, [False]]).astype(int)))
     t = np.append(run["t"], run["t"][-1])
     return [(t[a], t[b]) for a, b in edges.reshape(-1, 2)]

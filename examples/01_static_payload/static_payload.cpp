@@ -87,7 +87,7 @@ struct Row {
   Torque q, dq, tau_ext, compensation;
   Eigen::Vector3d error;        // flange from its target [m]
   double mass, mass_deviation;  // estimate and its standard deviation [kg]
-  rme::Hypothesis likeliest;
+  rme::Mode likeliest;
 };
 
 struct Run {
@@ -103,9 +103,9 @@ struct Run {
   }
 };
 
-rme::Hypothesis likeliest(const rme::EstimatorState<double>& state) {
+rme::Mode likeliest(const rme::EstimatorState<double>& state) {
   const auto& p = state.probability.values;
-  return static_cast<rme::Hypothesis>(std::max_element(p.begin(), p.end()) - p.begin());
+  return static_cast<rme::Mode>(std::max_element(p.begin(), p.end()) - p.begin());
 }
 
 Run simulate(const Options& options, bool compensate) {
@@ -152,7 +152,7 @@ void write_csv(const std::filesystem::path& path, const Run& run, const RigidBod
   file << "t";
   for (const char* name : {"q", "dq", "tau_ext", "tau_comp"})
     for (int i = 1; i <= 7; ++i) file << ',' << name << i;
-  file << ",error_x,error_y,error_z,m,rx,ry,rz,mass,mass_std,hypothesis\n";
+  file << ",error_x,error_y,error_z,m,rx,ry,rz,mass,mass_std,mode\n";
   const Eigen::IOFormat cells(Eigen::StreamPrecision, Eigen::DontAlignCols, ",", ",");
   for (const Row& row : run.rows) {
     file << row.t;

@@ -217,7 +217,7 @@ double print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& sett
           empty += e.state.empty() ? step : 0;
           health += step * e.state.health;
           time += step;
-          if (e.state.probability[rme::Hypothesis::Empty] < 0.1) largest = std::max(largest, payload.mean[0]);
+          if (e.state.held > 0.9) largest = std::max(largest, payload.mean[0]);
         },
         [](const ReplayedPush&) {});
     std::printf("  %-40.40s %15.3f %23.3f %5.0f%% %7.1f\n",

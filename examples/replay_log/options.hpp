@@ -15,7 +15,7 @@ constexpr const char* kSettingsUsage =
     "  --preset NAME       torque sensing: unknown (default), link_side, joint_friction, rough_model\n"
     "  --bandwidth W       bandwidth of the observer that tau_ext comes from [rad/s] (50); 0: none\n";
 constexpr const char* kReplayUsage =
-    "  --at T              call trigger() at T, and end with the estimate one window later [s]\n"
+    "  --at T              call expect_change() at T, and end with the estimate one window later [s]\n"
     "  --window S          with --at: length of that window [s] (0.2)\n"
     "  --baseline B        T0:T1: the hand is known to be empty then, and declare_empty() is called at T1 [s]; auto\n"
     "                      (default) or none: no such call\n"

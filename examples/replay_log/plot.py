@@ -5,7 +5,7 @@
     python3 plot.py beliefs.json [PICTURE]
 
 At the top, the mass with its 90 % interval, and the true mass where the log has it; in the middle, the probabilities of
-the hypotheses; at the bottom, health, which is about 1 if the torque is as model and payload predict it.
+the modes; at the bottom, health, which is about 1 if the torque is as model and payload predict it.
 """
 import argparse
 import json
@@ -18,7 +18,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from plotting import plt
 
 BELIEVED, TRUTH = "#0072b2", "#5c6673"
-HYPOTHESES = {"empty": "#d9dde1", "steady": "#0072b2", "filling": "#56b4e9", "exchanged": "#009e73", "pushed": "#d55e00"}
+MODES = {"empty": "#d9dde1", "held": "#0072b2", "pouring": "#56b4e9", "disturbed": "#d55e00", "changing": "#009e73"}
 DEVIATIONS = 1.645  # of a 90 % interval
 
 
@@ -43,11 +43,11 @@ def draw(beliefs, picture):
     above.set_ylabel("mass [kg]")
     above.set_ylim(0, 1.3 * max(mass.max(), 1e-3))
     above.legend(loc="upper left", ncol=3)
-    shares = [[b["probability"][name] for b in beliefs] for name in HYPOTHESES]
-    middle.stackplot(t, shares, colors=list(HYPOTHESES.values()), labels=list(HYPOTHESES))
+    shares = [[b["probability"][name] for b in beliefs] for name in MODES]
+    middle.stackplot(t, shares, colors=list(MODES.values()), labels=list(MODES))
     middle.set_ylabel("probability")
     middle.set_ylim(0, 1)
-    middle.legend(loc="lower left", bbox_to_anchor=(0, 1), ncol=len(HYPOTHESES), fontsize=8)
+    middle.legend(loc="lower left", bbox_to_anchor=(0, 1), ncol=len(MODES), fontsize=8)
     below.semilogy(t, [b["health"] for b in beliefs], color=TRUTH, linewidth=1)
     below.axhline(1, color="0.8", linewidth=0.8)
     below.set_ylim(0.09, 110)

@@ -19,7 +19,7 @@ template <int Dofs>
 struct ReplayOptions {
   RecordedArm<Dofs> arm;
   EstimatorConfig<double, Dofs> estimator;
-  std::optional<double> at;        ///< when trigger() is called; the replay ends `window` later [s]
+  std::optional<double> at;        ///< when expect_change() is called; the replay ends `window` later [s]
   double window = 0.2;             ///< [s]
   std::optional<double> empty_at;  ///< when declare_empty() is called [s]
 };
@@ -90,7 +90,7 @@ struct Samples {
 /// passed through an observer of the config's bandwidth, which is discretised in the way in which the estimator removes
 /// it.
 /// @param config  its observer_bandwidth and torque_sign are those of the log's torque
-/// @throws LogError if the log has a single row, or fewer than 50 rows a second
+/// @throws LogError if the log has a single row, or fewer than 10 rows a second
 template <int Dofs>
 Samples<Dofs> samples_of(const Log<Dofs>& log, const RecordedArm<Dofs>& arm,
                          const EstimatorConfig<double, Dofs>& config);

@@ -19,14 +19,14 @@ namespace {
 
 using namespace rme::examples;
 using nlohmann::ordered_json;
-using rme::Hypothesis;
+using rme::Mode;
 
 constexpr const char* kUsage = "usage: replay_log LOG.csv[.gz] [options]\n";
 constexpr const char* kOwnUsage = "  --json              print each estimate as one JSON object per line\n";
 
 /// Log odds of a payload, or an empty hand, against a push [nats].
 double log_odds(const rme::EstimatorState<double>& state) {
-  const double pushed = std::clamp(state.probability[Hypothesis::Pushed], 1e-12, 1 - 1e-12);
+  const double pushed = std::clamp(state.probability[Mode::Disturbed], 1e-12, 1 - 1e-12);
   return std::log((1 - pushed) / pushed);
 }
 
@@ -43,8 +43,8 @@ ordered_json to_json(const ReplayedEstimate& e, const ordered_json& network) {
   const auto& p = e.state.payload;
   ordered_json covariance, probability;
   for (int row = 0; row < 4; ++row) covariance.push_back(list(rme::Vector4<double>(p.covariance.row(row))));
-  for (std::size_t i = 0; i < rme::kHypotheses; ++i)
-    probability[to_string(static_cast<Hypothesis>(i))] = e.state.probability.values[i];
+  for (std::size_t i = 0; i < rme::kModes; ++i)
+    probability[to_string(static_cast<Mode>(i))] = e.state.probability.values[i];
   ordered_json out;
   out["type"] = "estimate";
   out["event"] = e.event;
@@ -61,6 +61,7 @@ ordered_json to_json(const ReplayedEstimate& e, const ordered_json& network) {
   out["elapsed_us"] = e.elapsed_us;
   out["excess"] = e.state.health;
   out["probability"] = probability;
+  out["held"] = e.state.held;
   out["health"] = e.state.health;
   out["confidence"] = e.state.confidence;
   out["inertial"] = list(e.state.inertial.mean);
@@ -70,17 +71,17 @@ ordered_json to_json(const ReplayedEstimate& e, const ordered_json& network) {
 }
 
 ordered_json to_json(const ReplayedPush& r) {
-  const auto evidence = [&](Hypothesis h) { return std::log(std::max(r.state.probability[h], 1e-12)); };
+  const auto evidence = [&](Mode h) { return std::log(std::max(r.state.probability[h], 1e-12)); };
   ordered_json out;
   out["type"] = "rejected";
   out["kind"] = "pushed";
   out["t"] = r.t;
   out["detected_at"] = r.detected_at;
   out["log_odds"] = log_odds(r.state);
-  out["log_evidence"] = {{"payload", evidence(Hypothesis::Exchanged)},
-                         {"empty", evidence(Hypothesis::Empty)},
-                         {"unchanged", evidence(Hypothesis::Steady)},
-                         {"push", evidence(Hypothesis::Pushed)}};
+  out["log_evidence"] = {{"payload", evidence(Mode::Changing)},
+                         {"empty", evidence(Mode::Empty)},
+                         {"unchanged", evidence(Mode::Held)},
+                         {"push", evidence(Mode::Disturbed)}};
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include <rme/estimator_config.hpp>
 #include <rme/estimator_state.hpp>
 #include <rme/sensing/proprioception.hpp>
+#include <rme/sensing/stale_torque.hpp>
 #include <rme/tracking/removal_guard.hpp>
 #include <rme/tracking/torque_block.hpp>
 #include <rme/tracking/tracker.hpp>
@@ -19,16 +20,16 @@ namespace rme {
 
 /// Tracks the payload of one arm with a filter that takes in every sample (docs/theory.md, "The tracker"):
 ///
-///     samples -> blocks of 20 ms -> five hypotheses, for each kind of torque sensing -> belief -> events, compensation
+///     samples -> blocks of 20 ms -> weighted stories, per kind of torque sensing -> belief -> events, compensation
 ///
 ///     Estimator<double, 7> estimator(0.001);                        // may throw: before the loop
 ///     estimator.update({tau_ext, jacobian, rotation, dq});          // each tick
 ///     tau_command += estimator.compensation(jacobian, rotation);    // through a CompensationRamp
 ///     estimator.state().payload                                     // mass and centre of mass, with covariance
 ///
-/// Real time: no call but the constructor allocates or throws. For each block, fifteen filters of 10 + 5 Dofs unknowns
-/// run on the ticks after it: at 1 kHz at most four on one tick, below 400 Hz all on one tick. On all other ticks
-/// update() is O(Dofs).
+/// Real time: no call but the constructor allocates or throws. The stories of a block are continued on the tick that ends
+/// it and on the ticks after it: at 1 kHz nine continuations on one tick, below 400 Hz all of them. Each costs at most
+/// the update of a filter of 10 + 4 + 5 Dofs unknowns. On all other ticks update() is O(Dofs).
 template <typename Scalar, int Dofs>
 class Estimator {
   static_assert(Dofs != Eigen::Dynamic, "Estimator: the number of joints has to be known at compile time");
@@ -38,7 +39,7 @@ class Estimator {
   using Config = EstimatorConfig<Scalar, Dofs>;  ///< settings
   using Torque = JointVector<Scalar, Dofs>;      ///< [N m]
 
-  /// @param dt      nominal control period [s], above 0 and at most 0.02
+  /// @param dt      nominal control period [s], above 0 and at most 0.1
   /// @param config  settings: what the estimator cannot find out by itself
   /// @throws std::invalid_argument naming the field out of range
   explicit Estimator(double dt, const Config& config = Config());
@@ -46,7 +47,9 @@ class Estimator {
   /// Advances by one sample.
   /// @param sample  tau_ext, J, R and dq of this tick
   /// @return Ok; NonFiniteInput (also for numbers beyond kLargestPlausible) or NotARotation: the estimator is then as
-  ///         it was, and the sample does not count
+  ///         it was, and the sample does not count; NotAMeasurement: tau_ext is frozen, or zero as no reading of it can
+  ///         be (stale_torque.hpp). Then only the time counts: the estimate stays, and its mass becomes less certain,
+  ///         since the payload may be exchanged or dropped meanwhile. The next measurement is used as usual
   Status update(const Proprioception<Scalar, Dofs>& sample) noexcept;
   /// The current estimate, and what happens to the payload.
   const EstimatorState<Scalar>& state() const noexcept { return state_; }
@@ -69,15 +72,15 @@ class Estimator {
   /// @param payload  mass [kg], >= 0, and centre of mass [m], end-effector axes; covariance positive semidefinite
   /// @return Ok; NonFiniteInput, also for a mass or a variance below 0: nothing is changed then
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept;
-  /// Says that the payload changes at this moment, for example because the gripper has closed or opened. For 0.3 s, the
-  /// hypothesis *exchanged* then has as much prior probability as all others together.
-  void trigger() noexcept { expected_ = kExpected; }
-  /// Says that the arm is in contact. While `inhibited` is true, nothing is learned, and the estimate stays as it is.
-  /// The removal guard still works: it reduces the compensation if the payload's weight is missing, since the object
-  /// may have been dropped. When the contact is over, inhibit(false) has the effect of trigger().
-  void inhibit(bool inhibited) noexcept {
-    if (inhibited_ && !inhibited) trigger();
-    inhibited_ = inhibited;
+  /// Says that the payload is about to change, for example because the gripper closes or opens. For 0.3 s, a change then
+  /// has as much prior probability as everything else together.
+  void expect_change() noexcept { expected_ = kExpected; }
+  /// Says whether the arm is in contact. While it is, nothing is learned, and the estimate stays as it is. The removal
+  /// guard still works: it reduces the compensation if the payload's weight is missing, since the object may have been
+  /// dropped. When the contact is over, in_contact(false) has the effect of expect_change().
+  void in_contact(bool contact) noexcept {
+    if (contact_ && !contact) expect_change();
+    contact_ = contact;
   }
 
   const Config& config() const noexcept { return config_; }  ///< as constructed
@@ -85,18 +88,35 @@ class Estimator {
   void reset() noexcept;
 
  private:
-  static constexpr double kExpected = 0.3;  // how long an exchange is expected after trigger() [s]
-  static constexpr double kHealthy = 3;     // health up to which the filters' covariance is not increased
+  static constexpr double kExpected = 0.3;  // how long an exchange is expected after expect_change() [s]
+  // How often a payload is exchanged while nothing is measured [1/s]: as often as the tracker expects it on an arm whose
+  // torque shows it at once, 1e-3 per block (sensing_kind.hpp).
+  static constexpr double kExchanges = 0.05;
+  static constexpr int kChildren = 16;        // children that a busy block has, over all kinds of sensing
+  static constexpr int kManyChildren = 1000;  // more than a block can have
+  static constexpr double kHealthy = 3;       // health up to which the filters' covariance is not increased
 
-  Torque carried(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
-    return compensation_torque<Scalar>(state_.payload.payload(), jacobian, rotation, config_.gravity);
+  /// Torque that carries a body of mass and first moment (m, m r) at rest [N m].
+  Torque carried(const Vector4<Scalar>& body, const Jacobian<Scalar, Dofs>& jacobian,
+                 const Matrix3<Scalar>& rotation) const noexcept {
+    const Vector3<Scalar> lever = detail::product(rotation, Vector3<Scalar>(body[1], body[2], body[3]));
+    const Wrench<Scalar> weight{detail::scaled(body[0], config_.gravity), lever.cross(config_.gravity)};
+    return detail::scaled(Scalar(-1), Torque(detail::transposed_product(jacobian, weight.vector())));
+  }
+  /// (m, m r) of the payload, as state() has it.
+  Vector4<Scalar> body() const noexcept {
+    const Vector4<Scalar>& theta = state_.payload.mean;
+    return {theta[0], theta[0] * theta[1], theta[0] * theta[2], theta[0] * theta[3]};
   }
   Scalar share() const noexcept {
     const Scalar mass = state_.payload.mean[0], variance = state_.payload.covariance(0, 0);
     const Scalar square = mass * mass;  // may underflow to zero
     return mass > 0 && square + variance > 0 ? square / (square + variance) : Scalar(0);
   }
+  Scalar excess() const noexcept { return std::max(Scalar(1), state_.health / Scalar(kHealthy)); }
+  void process() noexcept;
   void publish() noexcept;
+  void forget(double dt) noexcept;
 
   Config config_;
   double dt_;
@@ -104,13 +124,14 @@ class Estimator {
   BlockAverager<Scalar, Dofs> averager_;
   Tracker<Scalar, Dofs> tracker_;
   EventMonitor<Scalar> events_;
+  StaleTorque<Scalar, Dofs> stale_;
   RemovalGuard<Scalar, Dofs> guard_;
   EstimatorState<Scalar> state_;
   Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();  // of the last good sample
   Matrix3<Scalar> rotation_ = Matrix3<Scalar>::Identity();
   int steps_per_tick_;
   double expected_ = 0;  // how long an exchange is still expected [s]
-  bool inhibited_ = false;
+  bool contact_ = false;
 };
 
 template <typename Scalar, int Dofs>
@@ -120,10 +141,10 @@ Estimator<Scalar, Dofs>::Estimator(double dt, const Config& config)
       payload_prior_(config.payload.value_or(PayloadPrior<Scalar>::of(config.rated_payload))),
       averager_(config.observer_bandwidth, config.gravity),
       tracker_(config.arm.value_or(ArmPrior<Scalar, Dofs>::of(config.rated_payload)), payload_prior_,
-               config.rated_payload, config.sensing) {
+               config.rated_payload, config.sensing, config.gravity) {
   // A block is processed in a quarter of the ticks until the next one, so that the estimate is soon up to date.
   const int ticks = static_cast<int>(BlockAverager<Scalar, Dofs>::kDuration / dt / 4);
-  steps_per_tick_ = Tracker<Scalar, Dofs>::kSteps / std::max(1, ticks) + 1;
+  steps_per_tick_ = ticks > 1 ? kChildren / ticks + 1 : kManyChildren;
   publish();
 }
 
@@ -144,14 +165,27 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   Proprioception<Scalar, Dofs> sample = in;
   sample.tau_ext *= Scalar(static_cast<int>(config_.torque_sign));
   state_.time += dt;
+  if (!stale_.update(in.tau_ext, in.dq, dt)) {
+    averager_.clear();
+    process();
+    forget(dt);
+    return Status::NotAMeasurement;
+  }
   jacobian_ = in.jacobian;
   rotation_ = in.rotation;
   const bool complete = averager_.add(sample, dt, state_.time);
-  guard_.update(averager_.torque(), detail::scaled(Scalar(-1), carried(in.jacobian, in.rotation)),
+  guard_.update(averager_.torque(), detail::scaled(Scalar(-1), carried(body(), in.jacobian, in.rotation)),
                 static_cast<Scalar>(dt));
   expected_ = std::max(0.0, expected_ - dt);
   // With a Jacobian of zeros, tau_ext does not depend on the payload.
-  if (complete && !inhibited_ && in.jacobian.squaredNorm() > 0) tracker_.begin(averager_.block(), expected_ > 0);
+  if (complete && !contact_ && in.jacobian.squaredNorm() > 0) tracker_.begin(averager_.block(), expected_ > 0);
+  process();
+  return Status::Ok;
+}
+
+/// Does the next steps of the work for the last block.
+template <typename Scalar, int Dofs>
+void Estimator<Scalar, Dofs>::process() noexcept {
   for (int i = 0; i < steps_per_tick_; ++i) {
     if (!tracker_.advance()) continue;
     const TorqueBlock<Scalar, Dofs>& block = averager_.block();
@@ -159,14 +193,24 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
     events_.update(state_.probability, block.end - static_cast<double>(block.duration), block.end, state_.time,
                    state_.payload.mean[0], state_.payload.standard_deviation()[0]);
     state_.updated = block.end;
-    if (state_.probability[Hypothesis::Steady] + state_.probability[Hypothesis::Filling] > Scalar(0.9))
+    if (state_.probability[Mode::Held] + state_.probability[Mode::Pouring] > Scalar(0.9))
       guard_.learn(detail::difference(block.tau, detail::product(block.regressor, state_.inertial.mean)));
   }
   state_.changing = events_.changing();
   state_.change_onset = events_.onset();
   state_.change_noticed = events_.noticed();
   state_.event = events_.last();
-  return Status::Ok;
+}
+
+/// A tick in which tau_ext was no measurement. The variance of the mass approaches that of a payload from the prior, about
+/// the mean that is kept: after a time t, the payload has been exchanged with the probability 1 - exp(-t / 20 s).
+template <typename Scalar, int Dofs>
+void Estimator<Scalar, Dofs>::forget(double dt) noexcept {
+  const Scalar away = payload_prior_.mass_mean - state_.payload.mean[0];
+  const Scalar exchanged = payload_prior_.mass_std * payload_prior_.mass_std + away * away;
+  Scalar& variance = state_.payload.covariance(0, 0);
+  if (variance < exchanged) variance += static_cast<Scalar>(1 - std::exp(-kExchanges * dt)) * (exchanged - variance);
+  state_.confidence = share() / excess();
 }
 
 /// Writes the tracker's belief into the state that the host reads (docs/theory.md (T33)).
@@ -174,14 +218,14 @@ template <typename Scalar, int Dofs>
 void Estimator<Scalar, Dofs>::publish() noexcept {
   const TrackerBelief<Scalar>& belief = tracker_.belief();
   state_.probability = belief.probability;
+  state_.held = Scalar(1) - belief.empty;
   state_.inertial = belief.payload;
   state_.health = belief.health;
   state_.sensing = belief.sensing;
   PayloadGaussian<Scalar> held = payload_of(belief.payload, payload_prior_);
   // If innovations are far larger than the model predicts, the covariance that it predicts is too small as well.
-  const Scalar excess = std::max(Scalar(1), belief.health / Scalar(kHealthy));
-  held.covariance *= excess;
-  const Scalar empty = belief.probability[Hypothesis::Empty], mass = held.mean[0];
+  held.covariance *= excess();
+  const Scalar empty = belief.empty, mass = held.mean[0];
   // A mass below this cannot be distinguished from an offset. It is larger for an empty hand, whose mass no block has
   // measured.
   const Scalar least = Scalar(state_.empty() ? 3e-4 : 1e-4) * config_.rated_payload;
@@ -197,14 +241,15 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   }
   held.covariance(0, 0) = std::max(variance, least * least);
   state_.payload = held;
-  state_.confidence = share() / excess;
+  state_.confidence = share() / excess();
 }
 
 template <typename Scalar, int Dofs>
 auto Estimator<Scalar, Dofs>::compensation(const Jacobian<Scalar, Dofs>& jacobian,
                                            const Matrix3<Scalar>& rotation) const noexcept -> Torque {
   const bool good = plausible(jacobian) && plausible(rotation);
-  return detail::scaled(share() * guard_.share(), good ? carried(jacobian, rotation) : carried(jacobian_, rotation_));
+  return carried(detail::scaled(share() * guard_.share(), body()), good ? jacobian : jacobian_,
+                 good ? rotation : rotation_);
 }
 
 template <typename Scalar, int Dofs>

@@ -32,7 +32,7 @@ struct EstimatorConfig {
   std::optional<PayloadPrior<Scalar>> payload = std::nullopt;
 
   /// Checks all settings.
-  /// @param dt  nominal control period [s], above 0 and at most 0.02
+  /// @param dt  nominal control period [s], above 0 and at most 0.1
   /// @throws std::invalid_argument naming the field out of range
   void validate(double dt) const;
 };
@@ -40,7 +40,7 @@ struct EstimatorConfig {
 template <typename Scalar, int Dofs>
 void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
   detail::require_positive(dt, "Estimator::dt", "> 0 s");
-  detail::require(dt <= 0.02, "Estimator::dt", "at most 0.02 s", dt);
+  detail::require(dt <= 0.1, "Estimator::dt", "at most 0.1 s", dt);
   detail::require(plausible(gravity) && gravity.norm() > 0, "EstimatorConfig::gravity", "finite and not zero",
                   gravity.norm());
   detail::require(torque_sign == TorqueSign::External || torque_sign == TorqueSign::Reaction,

@@ -6,7 +6,7 @@
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/event_monitor.hpp>
-#include <rme/tracking/hypothesis.hpp>
+#include <rme/tracking/mode.hpp>
 #include <rme/tracking/payload_belief.hpp>
 
 namespace rme {
@@ -22,7 +22,8 @@ struct EstimatorState {
   /// The ten inertial parameters (inertial_parameters.hpp) with their covariance, given that something is held. Unlike
   /// that of `payload`, this covariance does not grow with `health`.
   InertialGaussian<Scalar> inertial;
-  PerHypothesis<Scalar> probability = {{Scalar(1)}};  ///< of each hypothesis, sum 1; at first an empty hand
+  PerMode<Scalar> probability = {{Scalar(1)}};  ///< of each mode, sum 1; at first an empty hand
+  Scalar held = Scalar(0);                      ///< probability that something is held, disturbed or not
   /// How far to trust `payload`, 0 to 1: m^2 / (m^2 + std^2), divided by health / 3 while health is above 3.
   Scalar confidence = Scalar(0);
   /// Normalised innovation squared, averaged over the last second (docs/theory.md (T30)): about 1 or less if the torque
@@ -35,8 +36,8 @@ struct EstimatorState {
   double change_noticed = 0;                ///< when that event was noticed
   Event event;                              ///< the last event that is over
 
-  /// Whether the hand is probably empty: the probability of Hypothesis::Empty is above 0.5.
-  bool empty() const noexcept { return probability[Hypothesis::Empty] > Scalar(0.5); }
+  /// Whether the hand is probably empty.
+  bool empty() const noexcept { return held < Scalar(0.5); }
   /// Probability that tau_ext contains joint friction.
   Scalar friction_shows() const noexcept { return Scalar(1) - sensing[static_cast<std::size_t>(Sensing::LinkSide)]; }
 };

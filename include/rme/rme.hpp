@@ -32,6 +32,6 @@
 #include <rme/sensing/proprioception.hpp>
 #include <rme/sensing/torque_sign.hpp>
 #include <rme/tracking/arm_prior.hpp>
-#include <rme/tracking/hypothesis.hpp>
 #include <rme/tracking/inertial_parameters.hpp>
+#include <rme/tracking/mode.hpp>
 #include <rme/version.hpp>

@@ -43,11 +43,12 @@ class RuntimeEstimator {
   static_assert(1 <= Fewest && Fewest <= Most, "RuntimeEstimator: numbers of joints, from the fewest to the most");
 
  public:
-  using Vector = JointVector<Scalar, Eigen::Dynamic>;      ///< of joint torques or velocities
-  using Config = EstimatorConfig<Scalar, Eigen::Dynamic>;  ///< its settings
+  using Vector = JointVector<Scalar, Eigen::Dynamic>;              ///< of joint torques or velocities
+  using Config = EstimatorConfig<Scalar, Eigen::Dynamic>;          ///< its settings
+  using GravityTorque = Eigen::Matrix<Scalar, Eigen::Dynamic, 3>;  ///< of Proprioception::gravity_torque
 
   /// @param joints  of the arm, Fewest to Most
-  /// @param dt      nominal control period [s], above 0 and at most 0.02
+  /// @param dt      nominal control period [s], above 0 and at most 0.1
   /// @param config  as Estimator's; the vectors of `arm` have one entry per joint
   /// @throws std::invalid_argument naming the argument or the field out of range
   RuntimeEstimator(int joints, double dt, const Config& config = Config())
@@ -56,19 +57,30 @@ class RuntimeEstimator {
   /// The number of joints, as constructed.
   int joints() const noexcept { return joints_; }
 
-  /// Advances by one sample: Estimator::update().
-  /// @param tau_ext   external joint torque [N m], joints()
-  /// @param jacobian  J, 6 x joints()
-  /// @param rotation  R, end-effector axes to world axes
-  /// @param dq        joint velocity [rad/s], joints()
-  /// @param period    time since the last sample [s], >= 0; 0 means the nominal period
-  /// @param motion    of the flange, if the host knows it better than from differences of J dq
-  /// @return Ok; WrongSize, NonFiniteInput or NotARotation: the estimator is then as it was
-  template <typename Torque, typename Matrix, typename Velocity>
+  /// Advances by one sample: Estimator::update(). The arguments are the fields of Proprioception.
+  /// @param tau_ext         external joint torque [N m], joints()
+  /// @param jacobian        J, 6 x joints()
+  /// @param rotation        R, end-effector axes to world axes
+  /// @param dq              joint velocity [rad/s], joints()
+  /// @param period          time since the last sample [s], >= 0; 0 means the nominal period
+  /// @param motion          of the flange, if the host knows it better than from differences of J dq
+  /// @param compensation    torque that the host really adds to its command for the payload [N m], joints(); without
+  ///                        entries: what compensation() returned, as it is
+  /// @param gravity_torque  the arm's own gravity torque per unit of gravity along each world axis [N m / (m/s^2)],
+  ///                        joints() x 3; without entries: not known
+  /// @return Ok; WrongSize, NonFiniteInput or NotARotation: the estimator is then as it was; NotAMeasurement: tau_ext
+  ///         is frozen, and only the time counts
+  template <typename Torque, typename Matrix, typename Velocity, typename Carried = Vector,
+            typename Gravity = GravityTorque>
   Status update(const Eigen::MatrixBase<Torque>& tau_ext, const Eigen::MatrixBase<Matrix>& jacobian,
                 const Eigen::Ref<const Matrix3<Scalar>>& rotation, const Eigen::MatrixBase<Velocity>& dq,
-                double period = 0, const std::optional<FlangeMotion<Scalar>>& motion = std::nullopt) noexcept {
-    if (!fits(tau_ext, joints_, 1) || !fits(jacobian, 6, joints_) || !fits(dq, joints_, 1)) return Status::WrongSize;
+                double period = 0, const std::optional<FlangeMotion<Scalar>>& motion = std::nullopt,
+                const Eigen::MatrixBase<Carried>& compensation = Carried(),
+                const Eigen::MatrixBase<Gravity>& gravity_torque = Gravity()) noexcept {
+    if (!fits(tau_ext, joints_, 1) || !fits(jacobian, 6, joints_) || !fits(dq, joints_, 1) ||
+        !(compensation.size() == 0 || fits(compensation, joints_, 1)) ||
+        !(gravity_torque.size() == 0 || fits(gravity_torque, joints_, 3)))
+      return Status::WrongSize;
     return std::visit(
         [&](auto& estimator) {
           Proprioception<Scalar, dofs<decltype(estimator)>> sample;
@@ -78,6 +90,8 @@ class RuntimeEstimator {
           sample.dq = dq;
           sample.period = period;
           sample.motion = motion;
+          if (compensation.size() > 0) sample.compensation.emplace() = compensation;
+          if (gravity_torque.size() > 0) sample.gravity_torque.emplace() = gravity_torque;
           return estimator.update(sample);
         },
         any_);
@@ -115,13 +129,13 @@ class RuntimeEstimator {
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept {
     return std::visit([&](auto& e) { return e.set_payload(payload); }, any_);
   }
-  /// The host says that the payload changes now: Estimator::trigger().
-  void trigger() noexcept {
-    std::visit([](auto& e) { e.trigger(); }, any_);
+  /// The host says that the payload is about to change: Estimator::expect_change().
+  void expect_change() noexcept {
+    std::visit([](auto& e) { e.expect_change(); }, any_);
   }
-  /// The host says that the arm is in contact: Estimator::inhibit().
-  void inhibit(bool inhibited) noexcept {
-    std::visit([&](auto& e) { e.inhibit(inhibited); }, any_);
+  /// The host says whether the arm is in contact: Estimator::in_contact().
+  void in_contact(bool contact) noexcept {
+    std::visit([&](auto& e) { e.in_contact(contact); }, any_);
   }
   /// Returns to the state after construction: Estimator::reset().
   void reset() noexcept {

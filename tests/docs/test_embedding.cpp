@@ -190,7 +190,7 @@ TEST_CASE("embedding.md: a handed-over load that is lost is a push to rme, which
   franka.arm.detach(handle);
   (void)franka.control(robot, payload, 3000);
   const auto& state = payload.estimator().state();
-  CHECK(state.probability[rme::Hypothesis::Pushed] > 0.9);
+  CHECK(state.probability[rme::Mode::Disturbed] > 0.9);
   CHECK(state.health > 10);
   CHECK(state.payload.mean[0] < 0.02);
   CHECK(payload.torque().norm() < 0.1);
@@ -205,7 +205,7 @@ TEST_CASE("embedding.md: after a wrong sign nothing is carried, and health says 
   (void)franka.control(robot, payload, 1000);
   franka.arm.attach(unknown_kilogram());
   (void)franka.control(robot, payload, 3000);
-  CHECK(payload.estimator().state().probability[rme::Hypothesis::Pushed] > 0.9);
+  CHECK(payload.estimator().state().probability[rme::Mode::Disturbed] > 0.9);
   CHECK(payload.estimator().state().health > 10);
   CHECK(payload.estimator().state().confidence < 0.05);
   CHECK(payload.torque().norm() < 0.1);
@@ -418,16 +418,16 @@ TEST_CASE("embedding.md: ros2_control's snippet refuses what it cannot work with
     CHECK(controller.on_configure({}) == controller_interface::CallbackReturn::ERROR);
     CHECK_THAT(*controller.get_node()->get_logger().last, contains(c.said));
   }
-  for (const unsigned int rate : {0u, 40u, 1000u}) {  // 40 Hz is too slow; in the last, the description is no URDF
+  for (const unsigned int rate : {0u, 9u, 1000u}) {  // 9 Hz is too slow; in the last, the description is no URDF
     CAPTURE(rate);
     SwingingController controller;
     const Hardware hardware(controller);
     REQUIRE(controller.init({"payload", rate == 1000 ? "" : "<robot/>", rate}) ==
             controller_interface::return_type::OK);
     CHECK(controller.on_configure({}) == controller_interface::CallbackReturn::ERROR);
-    CHECK_THAT(*controller.get_node()->get_logger().last, contains(rate == 0    ? "update_rate"
-                                                                   : rate == 40 ? "Estimator::dt"
-                                                                                : "URDF"));
+    CHECK_THAT(*controller.get_node()->get_logger().last, contains(rate == 0   ? "update_rate"
+                                                                   : rate == 9 ? "Estimator::dt"
+                                                                               : "URDF"));
   }
 }
 
@@ -549,12 +549,12 @@ rme::PayloadGaussian<double> believed(double period, double told_bandwidth) {
   return payload.estimator().state().payload;
 }
 
-TEST_CASE("embedding.md: the default settings hold down to 50 Hz", "[docs]") {
-  for (const double period : {0.001, 0.004, 0.01, 0.02}) {
+TEST_CASE("embedding.md: the default settings hold down to 10 Hz", "[docs]") {
+  for (const double period : {0.001, 0.004, 0.01, 0.02, 0.1}) {
     CAPTURE(period);
     CHECK(std::abs(believed(period, 50).mean[0] - 1) < 2e-3);
   }
-  CHECK_THROWS_WITH(PayloadCompensation<7>(0.021), contains("Estimator::dt"));
+  CHECK_THROWS_WITH(PayloadCompensation<7>(0.101), contains("Estimator::dt"));
 }
 
 TEST_CASE("embedding.md: half or twice the true bandwidth, or none, makes up to 3 percent of the mass", "[docs]") {

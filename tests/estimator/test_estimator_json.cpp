@@ -188,7 +188,7 @@ TEST_CASE("EstimatorConfig: ranges are checked by the Estimator, by name", "[jso
   json wrong = whole;
   wrong["payload"]["com_mean"][2] = 1e9;
   CHECK_THAT(refusal(wrong), contains("PayloadPrior::com_mean"));
-  for (const double bad : {0.0, -1e-3, 0.021}) {
+  for (const double bad : {0.0, -1e-3, 0.101}) {
     CAPTURE(bad);
     CHECK_THROWS_WITH((rme::Estimator<double, 7>(bad)), contains("Estimator::dt"));
   }

@@ -32,6 +32,9 @@ Proprioception<double, Dofs> sample_at(int tick) {
   sample.tau_ext = -compensation_torque<double>({mass, {0.01, 0, 0.1}}, sample.jacobian, sample.rotation);
   for (int j = 0; j < Dofs; ++j) sample.tau_ext[j] += 0.01 * std::sin(1.7 * tick * (j + 1));
   sample.period = tick % 7 == 0 ? 0.002 : 0;
+  if (tick > 600)
+    sample.compensation = 0.9 * compensation_torque<double>({mass, {0.01, 0, 0.1}}, sample.jacobian, sample.rotation);
+  if (tick > 800) sample.gravity_torque = 0.5 * sample.jacobian.template topRows<3>().transpose();
   if (tick > 1000) sample.motion = FlangeMotion<double>{{0, 0.1, 0}, {0.2, 0, 0.1}, {0, 0.3, 0}};
   return sample;
 }
@@ -51,12 +54,16 @@ void check_equal() {
   Eigen::VectorXd buffer(3 * Dofs), torque(Dofs);
   for (int tick = 0; tick < 1500; ++tick) {
     if (tick == 700) {
-      expected.inhibit(true);
-      estimator.inhibit(true);
+      expected.in_contact(true);
+      estimator.in_contact(true);
+    }
+    if (tick == 800) {
+      expected.expect_change();
+      estimator.expect_change();
     }
     if (tick == 900) {
-      expected.inhibit(false);
-      estimator.inhibit(false);
+      expected.in_contact(false);
+      estimator.in_contact(false);
     }
     const auto sample = sample_at<Dofs>(tick);
     // As hosts hold them: parts of a longer vector, and a Jacobian by rows.
@@ -69,20 +76,33 @@ void check_equal() {
     }();
     const Eigen::Map<const Eigen::Matrix3d> R(rotation.data());
     REQUIRE(expected.update(sample) == Status::Ok);
-    REQUIRE(estimator.update(buffer.head(Dofs), jacobian, R, buffer.segment(Dofs, Dofs), sample.period,
-                             sample.motion) == Status::Ok);
+    const auto tau_ext = buffer.head(Dofs), dq = buffer.segment(Dofs, Dofs);
+    Eigen::VectorXd carried;
+    Eigen::MatrixXd gravity;
+    if (sample.compensation) carried = *sample.compensation;
+    if (sample.gravity_torque) gravity = *sample.gravity_torque;
+    if (tick <= 600)
+      REQUIRE(estimator.update(tau_ext, jacobian, R, dq, sample.period, sample.motion) == Status::Ok);
+    else if (tick <= 700)
+      REQUIRE(estimator.update(tau_ext, jacobian, R, dq, sample.period, sample.motion, carried) == Status::Ok);
+    else
+      REQUIRE(estimator.update(tau_ext, jacobian, R, dq, sample.period, sample.motion, carried, gravity) == Status::Ok);
     REQUIRE(estimator.compensation(jacobian, R, torque) == Status::Ok);
     REQUIRE(torque == expected.compensation(sample.jacobian, sample.rotation));
   }
   CHECK(estimator.state().payload.mean == expected.state().payload.mean);
   CHECK(estimator.state().payload.covariance == expected.state().payload.covariance);
   CHECK(estimator.state().time == expected.state().time);
-  CHECK(estimator.state().event.kind == EventKind::Attached);
+  CHECK(estimator.state().event.number == expected.state().event.number);
+  CHECK(estimator.state().event.number > 0);
+  CHECK(estimator.state().event.kind == expected.state().event.kind);
   CHECK(std::abs(estimator.state().payload.mean[0] - 1) < 0.05);
 
   const PayloadGaussian<double> said = {{0.4, 0, 0, 0.1}, Eigen::Vector4d(1e-4, 1e-4, 1e-4, 1e-4).asDiagonal()};
   REQUIRE(estimator.set_payload(said) == Status::Ok);
   CHECK(std::abs(estimator.state().payload.mean[0] - 0.4) < 0.02);
+  REQUIRE(expected.set_payload(said) == Status::Ok);
+  CHECK(estimator.state().payload.mean == expected.state().payload.mean);
   estimator.declare_empty();
   CHECK(estimator.state().empty());
   estimator.reset();
@@ -114,6 +134,10 @@ TEST_CASE("RuntimeEstimator: a vector or matrix of another size is refused, and 
   CHECK(estimator.update(tau, wide, sample.rotation, dq) == Status::WrongSize);
   CHECK(estimator.update(tau, flat, sample.rotation, dq) == Status::WrongSize);
   CHECK(estimator.update(tau, J, sample.rotation, seven) == Status::WrongSize);
+  CHECK(estimator.update(tau, J, sample.rotation, dq, 0, {}, seven) == Status::WrongSize);
+  CHECK(estimator.update(tau, J, sample.rotation, dq, 0, {}, tau.transpose()) == Status::WrongSize);
+  CHECK(estimator.update(tau, J, sample.rotation, dq, 0, {}, tau, flat) == Status::WrongSize);
+  CHECK(estimator.update(tau, J, sample.rotation, dq, 0, {}, none, wide) == Status::WrongSize);
   CHECK(estimator.update(tau, J, Matrix3<double>::Zero(), dq) == Status::NotARotation);
   CHECK(estimator.state().time == 0.001);
 

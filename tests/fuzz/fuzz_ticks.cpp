@@ -46,9 +46,9 @@ using Estimator = rme::Estimator<Scalar, 6>;
 /// What else a host may call.
 template <typename Scalar>
 void call(Estimator<Scalar>& estimator, std::uint8_t which, double number) {
-  if (which % 4 == 0) estimator.declare_empty();
-  if (which % 4 == 1) estimator.inhibit(true);
-  if (which % 4 == 2) estimator.inhibit(false);
+  if (which % 8 == 0) estimator.declare_empty();
+  if (which % 4 == 1) estimator.in_contact(true);
+  if (which % 4 == 2) estimator.in_contact(false);
   if (which % 4 != 3) return;
   rme::PayloadGaussian<Scalar> payload = rme::PayloadGaussian<Scalar>::independent(
       {1, 0, 0, Scalar(0.1)}, {Scalar(0.1), Scalar(0.05), Scalar(0.05), Scalar(0.05)});
@@ -71,6 +71,8 @@ void check_same(const Estimator<Scalar>& estimator, const Estimator<Scalar>& twi
   check(std::abs(sum - 1) < Scalar(1e-3));
   check(a.payload.mean == b.payload.mean && a.payload.covariance == b.payload.covariance);
   check(a.inertial.mean == b.inertial.mean && a.inertial.covariance == b.inertial.covariance);
+  check(a.held >= 0 && a.held <= 1);
+  check(a.held == b.held);
   check(a.probability.values == b.probability.values && a.time == b.time && a.updated == b.updated);
   check(a.event.number == b.event.number && a.event.kind == b.event.kind && a.changing == b.changing);
 }
@@ -122,7 +124,7 @@ class Host {
           for (int k = bytes.byte(); k > 0; --k) (void)next();  // lost
           break;
         case 8:
-          for (auto* estimator : {&estimator_, &twin_}) estimator->trigger();
+          for (auto* estimator : {&estimator_, &twin_}) estimator->expect_change();
           break;
         case 9: {
           const std::uint8_t which = bytes.byte();
@@ -157,6 +159,8 @@ class Host {
   static void spoil(Tick& tick, Bytes& bytes) {
     const std::uint8_t beside = bytes.byte();
     if (beside % 4 == 0) tick.motion.emplace();
+    if (beside % 16 == 2) tick.compensation.emplace().setConstant(bytes.number<Scalar>());
+    if (beside % 16 == 3) tick.gravity_torque.emplace().setConstant(bytes.number<Scalar>());
     if (beside % 16 == 1) tick.period = bytes.number<double>();
     const std::uint8_t entry = bytes.byte();
     replace(tick, entry, bytes.number<Scalar>());
@@ -182,7 +186,8 @@ class Host {
   void feed(const Tick& tick) {
     if (++fed_ > kMostTicks) return;
     check(estimator_.compensation(tick.jacobian, tick.rotation).allFinite());
-    if (estimator_.update(tick) == rme::Status::Ok) check(twin_.update(tick) == rme::Status::Ok);
+    const rme::Status status = estimator_.update(tick);
+    if (status == rme::Status::Ok || status == rme::Status::NotAMeasurement) check(twin_.update(tick) == status);
     check_same(estimator_, twin_);
     const auto before = ramp_.torque();
     check(ramp_.update(estimator_.compensation(tick.jacobian, tick.rotation)) == rme::Status::Ok);

@@ -36,9 +36,9 @@ struct Loop {
   using Tracking = rme::Estimator<Scalar, Dofs>;
   static_assert(noexcept(my<Tracking>().update(a<Tick>())) && noexcept(a<Tracking>().state()));
   static_assert(noexcept(a<Tracking>().compensation(a<Jacobian>(), a<Matrix3>())));
-  static_assert(noexcept(my<Tracking>().trigger()) && noexcept(my<Tracking>().declare_empty()));
+  static_assert(noexcept(my<Tracking>().expect_change()) && noexcept(my<Tracking>().declare_empty()));
   static_assert(noexcept(my<Tracking>().set_payload(a<rme::PayloadGaussian<Scalar>>())));
-  static_assert(noexcept(my<Tracking>().inhibit(true)) && noexcept(my<Tracking>().reset()));
+  static_assert(noexcept(my<Tracking>().in_contact(true)) && noexcept(my<Tracking>().reset()));
   static_assert(noexcept(a<Tracking>().config()) && noexcept(a<rme::EstimatorState<Scalar>>().empty()));
 
   // tracking
@@ -54,10 +54,11 @@ struct Loop {
   static_assert(noexcept(my<Regime>().update(a<Block>())));
   static_assert(noexcept(my<Tracker>().begin(a<Block>(), true)) && noexcept(my<Tracker>().advance()));
   static_assert(noexcept(a<Tracker>().belief()) && noexcept(my<Tracker>().declare_empty()));
+  static_assert(noexcept(a<Tracker>().histories()));
   static_assert(noexcept(my<Tracker>().set_payload(a<rme::PayloadGaussian<Scalar>>())));
   static_assert(noexcept(my<Guard>().update(a<Vector>(), a<Vector>(), Scalar(1e-3))));
   static_assert(noexcept(my<Guard>().learn(a<Vector>())) && noexcept(a<Guard>().share()));
-  static_assert(noexcept(my<Monitor>().update(a<rme::PerHypothesis<Scalar>>(), 0, 1, 1, Scalar(1), Scalar(1))));
+  static_assert(noexcept(my<Monitor>().update(a<rme::PerMode<Scalar>>(), 0, 1, 1, Scalar(1), Scalar(1))));
   static_assert(noexcept(my<Monitor>().believe(true)) && noexcept(my<Monitor>().reset()));
   static_assert(noexcept(rme::within_rated(a<Inertial>(), Scalar(3))));
   static_assert(noexcept(rme::payload_of(a<Inertial>(), a<rme::PayloadPrior<Scalar>>())));

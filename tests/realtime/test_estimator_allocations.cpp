@@ -5,10 +5,10 @@
 #include <new>
 #include <rme/control/energy_tank.hpp>
 #include <rme/core/compensation.hpp>
-#include <rme/estimator.hpp>
 #include <rme/inference/payload_statistics.hpp>
 #include <rme/inference/variational_inference.hpp>
 #include <rme/network/mismatch_network.hpp>
+#include <rme/runtime_estimator.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
 
@@ -66,10 +66,10 @@ TEST_CASE(
   const int count = allocations_of([&] {
     for (int round = 0; round < 3; ++round) {
       for (std::size_t k = 0; k < ticks.size(); ++k) {
-        if (round > 0 && k % 1000 == 990) estimator.trigger();
+        if (round > 0 && k % 1000 == 990) estimator.expect_change();
         if (round == 1 && k == 900) estimator.declare_empty();
         if (round == 2 && k == 900) refused += estimator.set_payload(said) != Status::Ok;
-        if (round == 2 && k % 1500 == 0) estimator.inhibit(k % 3000 == 0);
+        if (round == 2 && k % 1500 == 0) estimator.in_contact(k % 3000 == 0);
         refused += estimator.update(ticks[k]) != Status::Ok;
         met[static_cast<int>(estimator.state().event.kind)] = true;
         refused += ramp.update(estimator.compensation(ticks[k].jacobian, ticks[k].rotation)) != Status::Ok;
@@ -82,6 +82,37 @@ TEST_CASE(
   for (const bool kind : met) CHECK(kind);
   CHECK(refused > 300);
   CHECK(largest > 1);
+}
+
+TEST_CASE("Allocations: none in the estimator for a number of joints that is known at run time", "[realtime]") {
+  const std::uint64_t seed = 301;
+  CAPTURE(seed);
+  rme::testing::HeldArm arm(seed);
+  rme::RuntimeEstimator<double, 7, 7> estimator(7, kPeriod);
+  Eigen::VectorXd tau_ext(7), dq(7), carried = Eigen::VectorXd::Zero(7);
+  Eigen::MatrixXd jacobian(6, 7);
+  Eigen::Matrix<double, Eigen::Dynamic, 3> gravity(7, 3);
+  int refused = 0;
+  const int count = allocations_of([&] {
+    for (int k = 0; k < 2000; ++k) {
+      if (k == 1000) arm.hold({1, {0, 0, 0.1}});
+      const auto& sample = arm.tick();
+      tau_ext = sample.tau_ext;
+      dq = sample.dq;
+      jacobian = sample.jacobian;
+      gravity.setZero();
+      refused += (k % 3 == 0   ? estimator.update(tau_ext, jacobian, sample.rotation, dq)
+                  : k % 3 == 1 ? estimator.update(tau_ext, jacobian, sample.rotation, dq, kPeriod, {}, carried)
+                               : estimator.update(tau_ext, jacobian, sample.rotation, dq, 0, {}, carried, gravity)) !=
+                 Status::Ok;
+      refused += estimator.compensation(jacobian, sample.rotation, carried) != Status::Ok;
+    }
+    estimator.expect_change();
+    estimator.in_contact(true);
+  });
+  CHECK(count == 0);
+  CHECK(refused == 0);
+  CHECK(carried.norm() > 1);
 }
 
 TEST_CASE("Allocations: none in the building blocks: detector, pseudo-wrench, network, sums, energy tank",

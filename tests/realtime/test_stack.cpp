@@ -46,9 +46,10 @@ TEST_CASE("Estimator: every call of the loop, reset() included, runs on a stack 
       }
       held = estimator->state().payload.mean[0];
       estimator->declare_empty();
+      estimator->expect_change();
       (void)estimator->set_payload({{1, 0, 0, 0.1}, Matrix4<double>::Identity() * 1e-4});
-      estimator->inhibit(true);
-      estimator->inhibit(false);
+      estimator->in_contact(true);
+      estimator->in_contact(false);
       estimator->reset();
     }
   });

@@ -76,6 +76,48 @@ TEST_CASE("check: a NaN or an infinity anywhere is named", "[proprioception]") {
   }
 }
 
+TEST_CASE("check: of what a host may add, a NaN or a number beyond all arms is named, and nothing has to be there",
+          "[proprioception]") {
+  const double kTooLarge = 2 * rme::kLargestPlausible;
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), kTooLarge}) {
+    CAPTURE(bad);
+    Sample7<double> sample = good_sample<double>();
+    sample.compensation = rme::JointVector<double, 7>::Constant(3);
+    sample.gravity_torque = Eigen::Matrix<double, 7, 3>::Constant(-2);
+    CHECK(rme::check_sample(sample) == Status::Ok);
+    for (int i = 0; i < 7; ++i) {
+      CAPTURE(i);
+      Sample7<double> compensation = sample, gravity = sample;
+      (*compensation.compensation)[i] = bad;
+      (*gravity.gravity_torque)(i, i % 3) = bad;
+      CHECK(rme::check_sample(compensation) == Status::NonFiniteInput);
+      CHECK(rme::check_sample(gravity) == Status::NonFiniteInput);
+    }
+  }
+}
+
+TEST_CASE("Proprioception: four members in braces are a sample, as are all of them in their order",
+          "[proprioception]") {
+  const Sample7<double> good = good_sample<double>();
+  const Sample7<double> four{good.tau_ext, good.jacobian, good.rotation, good.dq};
+  CHECK(four.dq == good.dq);
+  CHECK_FALSE(four.motion.has_value());
+  CHECK_FALSE(four.compensation.has_value());
+  CHECK_FALSE(four.gravity_torque.has_value());
+  const Sample7<double> all{good.tau_ext,
+                            good.jacobian,
+                            good.rotation,
+                            good.dq,
+                            rme::FlangeMotion<double>(),
+                            2e-3,
+                            rme::JointVector<double, 7>::Constant(1),
+                            Eigen::Matrix<double, 7, 3>::Constant(2)};
+  CHECK(all.period == 2e-3);
+  CHECK((*all.compensation)[6] == 1);
+  CHECK((*all.gravity_torque)(6, 2) == 2);
+}
+
 static_assert(noexcept(rme::check_sample(std::declval<const Sample7<double>&>())));
 
 }  // namespace

@@ -6,13 +6,18 @@
 namespace rme {
 
 extern template class StarGaussian<double, 7>;
-extern template class PushFilter<double, 7>;
+extern template class Disturbance<double, 7>;
 extern template class JointTorqueModel<double, 7>;
 extern template class BlockAverager<double, 7>;
-extern template class HypothesisBank<double, 7>;
+extern template class Histories<double, 7>;
 extern template class Tracker<double, 7>;
-extern template class HypothesisBank<float, 7>;
+extern template class Histories<float, 7>;
 extern template class Tracker<float, 7>;
 extern template class Estimator<float, 7>;
+extern template class bank::StarGaussian<double, 7>;
+extern template class bank::PushFilter<double, 7>;
+extern template class bank::JointTorqueModel<double, 7>;
+extern template class bank::HypothesisBank<double, 7>;
+extern template class bank::HypothesisBank<float, 7>;
 
 }  // namespace rme

@@ -5,18 +5,18 @@
 namespace {
 
 using rme::EventKind;
-using rme::Hypothesis;
+using rme::Mode;
 
 constexpr double kBlock = 0.02;  // [s]
 
-/// A monitor that sees one hypothesis at a time.
+/// A monitor that sees one mode at a time.
 struct Story {
   rme::EventMonitor<double> monitor;
   double t = 0;
 
-  /// `blocks` blocks in which a hypothesis is likeliest, and what mass is believed in.
-  Story& see(Hypothesis likeliest, int blocks, double mass = 0, double deviation = 0.001) {
-    rme::PerHypothesis<double> probability = {{0.02, 0.02, 0.02, 0.02, 0.02}};
+  /// `blocks` blocks in which a mode is likeliest, and what mass is believed in.
+  Story& see(Mode likeliest, int blocks, double mass = 0, double deviation = 0.001) {
+    rme::PerMode<double> probability = {{0.02, 0.02, 0.02, 0.02, 0.02}};
     probability[likeliest] = 0.92;
     for (; blocks > 0; --blocks, t += kBlock)
       monitor.update(probability, t, t + kBlock, t + kBlock + 0.005, mass, deviation);
@@ -28,7 +28,7 @@ struct Story {
 TEST_CASE("EventMonitor: an empty hand is no event, however long", "[event_monitor]") {
   Story story;
   CHECK_FALSE(story.monitor.changing());
-  story.see(Hypothesis::Empty, 500);
+  story.see(Mode::Empty, 500);
   CHECK(story.monitor.last().number == 0);
   CHECK(story.kind() == EventKind::None);
   CHECK_FALSE(story.monitor.changing());
@@ -37,13 +37,13 @@ TEST_CASE("EventMonitor: an empty hand is no event, however long", "[event_monit
 TEST_CASE("EventMonitor: an attach begins with its block, is noticed after it, and over after a tenth of a second",
           "[event_monitor]") {
   Story story;
-  story.see(Hypothesis::Empty, 50).see(Hypothesis::Exchanged, 2, 1.0);
+  story.see(Mode::Empty, 50).see(Mode::Changing, 2, 1.0);
   CHECK(story.monitor.changing());
   CHECK(story.monitor.onset() == Approx(1.0));
   CHECK(story.monitor.noticed() == Approx(1.025));
-  story.see(Hypothesis::Steady, 4, 1.0);
+  story.see(Mode::Held, 4, 1.0);
   CHECK(story.monitor.changing());
-  story.see(Hypothesis::Steady, 1, 1.0);
+  story.see(Mode::Held, 1, 1.0);
   CHECK_FALSE(story.monitor.changing());
   CHECK(story.monitor.last().number == 1);
   CHECK(story.kind() == EventKind::Attached);
@@ -54,26 +54,26 @@ TEST_CASE("EventMonitor: an attach begins with its block, is noticed after it, a
 
 TEST_CASE("EventMonitor: what happened is told from the hand before and after", "[event_monitor]") {
   Story story;
-  story.see(Hypothesis::Empty, 50).see(Hypothesis::Exchanged, 3, 1.0).see(Hypothesis::Steady, 20, 1.0);
+  story.see(Mode::Empty, 50).see(Mode::Changing, 3, 1.0).see(Mode::Held, 20, 1.0);
   REQUIRE(story.kind() == EventKind::Attached);
-  story.see(Hypothesis::Exchanged, 3, 1.5).see(Hypothesis::Steady, 20, 1.5);
+  story.see(Mode::Changing, 3, 1.5).see(Mode::Held, 20, 1.5);
   CHECK(story.kind() == EventKind::Exchanged);
-  story.see(Hypothesis::Filling, 30, 1.7).see(Hypothesis::Steady, 20, 1.7);
+  story.see(Mode::Pouring, 30, 1.7).see(Mode::Held, 20, 1.7);
   CHECK(story.kind() == EventKind::Filling);
-  story.see(Hypothesis::Pushed, 30, 1.7).see(Hypothesis::Steady, 20, 1.7);
+  story.see(Mode::Disturbed, 30, 1.7).see(Mode::Held, 20, 1.7);
   CHECK(story.kind() == EventKind::Pushed);
-  story.see(Hypothesis::Empty, 20);
+  story.see(Mode::Empty, 20);
   CHECK(story.kind() == EventKind::Removed);
   CHECK(story.monitor.last().number == 5);
 }
 
 TEST_CASE("EventMonitor: an exchange that ends with the mass of before was a push, or nothing", "[event_monitor]") {
   Story story;
-  story.see(Hypothesis::Empty, 50).see(Hypothesis::Exchanged, 3, 1.0).see(Hypothesis::Steady, 20, 1.0);
+  story.see(Mode::Empty, 50).see(Mode::Changing, 3, 1.0).see(Mode::Held, 20, 1.0);
   // 2 g more at 1 g of doubt each is no other payload.
-  story.see(Hypothesis::Exchanged, 3, 1.3).see(Hypothesis::Steady, 20, 1.002);
+  story.see(Mode::Changing, 3, 1.3).see(Mode::Held, 20, 1.002);
   CHECK(story.monitor.last().number == 1);
-  story.see(Hypothesis::Exchanged, 2, 1.3).see(Hypothesis::Pushed, 10, 1.0).see(Hypothesis::Steady, 20, 1.002);
+  story.see(Mode::Changing, 2, 1.3).see(Mode::Disturbed, 10, 1.0).see(Mode::Held, 20, 1.002);
   CHECK(story.monitor.last().number == 2);
   CHECK(story.kind() == EventKind::Pushed);
 }
@@ -82,12 +82,12 @@ TEST_CASE(
     "EventMonitor: a payload known for 0.4 s is an event, whatever still drifts, and a push that lasts is none yet",
     "[event_monitor]") {
   Story story;
-  story.see(Hypothesis::Empty, 50).see(Hypothesis::Exchanged, 1, 1.0).see(Hypothesis::Filling, 19, 1.0);
+  story.see(Mode::Empty, 50).see(Mode::Changing, 1, 1.0).see(Mode::Pouring, 19, 1.0);
   CHECK(story.monitor.changing());
-  story.see(Hypothesis::Filling, 3, 1.0);
+  story.see(Mode::Pouring, 3, 1.0);
   CHECK(story.kind() == EventKind::Attached);
   Story pushed;
-  pushed.see(Hypothesis::Empty, 50).see(Hypothesis::Pushed, 500);
+  pushed.see(Mode::Empty, 50).see(Mode::Disturbed, 500);
   CHECK(pushed.monitor.changing());
   CHECK(pushed.monitor.last().number == 0);
 }
@@ -102,23 +102,23 @@ TEST_CASE("EventMonitor: a change that is only as likely as none is none", "[eve
 
 TEST_CASE("EventMonitor: for 0.4 s sharp a payload has not been known for longer than that", "[event_monitor]") {
   rme::EventMonitor<double> monitor;
-  const auto see = [&](Hypothesis likeliest, double begin, double end) {
-    rme::PerHypothesis<double> probability;
+  const auto see = [&](Mode likeliest, double begin, double end) {
+    rme::PerMode<double> probability;
     probability[likeliest] = 1;
     monitor.update(probability, begin, end, end, 1, 0.001);
   };
-  see(Hypothesis::Exchanged, 0, 0.4);
-  see(Hypothesis::Filling, 0.4, 0.8);  // 0.8 - 0.4 is 0.4 to the last bit
+  see(Mode::Changing, 0, 0.4);
+  see(Mode::Pouring, 0.4, 0.8);  // 0.8 - 0.4 is 0.4 to the last bit
   CHECK(monitor.changing());
-  see(Hypothesis::Filling, 0.8, 0.82);
+  see(Mode::Pouring, 0.8, 0.82);
   CHECK(monitor.last().kind == EventKind::Attached);
 }
 
 /// A hand that holds `mass`, known to `deviation`, after a second with an empty one.
 Story holding(double mass, double deviation) {
   Story story;
-  story.see(Hypothesis::Empty, 50);
-  story.see(Hypothesis::Exchanged, 3, mass, deviation).see(Hypothesis::Steady, 20, mass, deviation);
+  story.see(Mode::Empty, 50);
+  story.see(Mode::Changing, 3, mass, deviation).see(Mode::Held, 20, mass, deviation);
   REQUIRE(story.monitor.last().number == 1);
   return story;
 }
@@ -128,7 +128,7 @@ TEST_CASE(
     "[event_monitor]") {
   const auto kind = [](double before, double after, double doubt_before, double doubt_after) {
     Story story = holding(before, doubt_before);
-    story.see(Hypothesis::Exchanged, 2, after, doubt_after).see(Hypothesis::Steady, 20, after, doubt_after);
+    story.see(Mode::Changing, 2, after, doubt_after).see(Mode::Held, 20, after, doubt_after);
     return story.monitor.last().number == 1 ? EventKind::None : story.kind();
   };
   // 60 g of 3 kg, known to 1 g.
@@ -146,32 +146,32 @@ TEST_CASE(
 TEST_CASE("EventMonitor: a mass that is another one after a push, or after a hand-over that drifted, is an exchange",
           "[event_monitor]") {
   Story pushed = holding(1, 0.001);
-  pushed.see(Hypothesis::Pushed, 10, 1).see(Hypothesis::Steady, 20, 1.5);
+  pushed.see(Mode::Disturbed, 10, 1).see(Mode::Held, 20, 1.5);
   CHECK(pushed.kind() == EventKind::Exchanged);
   Story drifted = holding(1, 0.001);
-  drifted.see(Hypothesis::Exchanged, 2, 1.4).see(Hypothesis::Filling, 5, 1.45).see(Hypothesis::Steady, 20, 1.5);
+  drifted.see(Mode::Changing, 2, 1.4).see(Mode::Pouring, 5, 1.45).see(Mode::Held, 20, 1.5);
   CHECK(drifted.kind() == EventKind::Exchanged);
 }
 
 TEST_CASE("EventMonitor: what still drifts after an event is compared with what that event found", "[event_monitor]") {
   // Known for 0.4 s, the payload has been attached; drifting ends with the same mass.
   Story story;
-  story.see(Hypothesis::Empty, 50).see(Hypothesis::Exchanged, 1, 1.0).see(Hypothesis::Filling, 30, 1.0);
+  story.see(Mode::Empty, 50).see(Mode::Changing, 1, 1.0).see(Mode::Pouring, 30, 1.0);
   REQUIRE(story.kind() == EventKind::Attached);
   REQUIRE(story.monitor.changing());
-  story.see(Hypothesis::Steady, 20, 1.0);
+  story.see(Mode::Held, 20, 1.0);
   CHECK_FALSE(story.monitor.changing());
   CHECK(story.monitor.last().number == 1);
 }
 
 TEST_CASE("EventMonitor: what the host says is no event", "[event_monitor]") {
   Story story;
-  story.see(Hypothesis::Empty, 50);
+  story.see(Mode::Empty, 50);
   story.monitor.believe(false);
-  story.see(Hypothesis::Steady, 50, 1.0);
+  story.see(Mode::Held, 50, 1.0);
   CHECK(story.monitor.last().number == 0);
   story.monitor.reset();
-  story.see(Hypothesis::Steady, 50, 1.0);
+  story.see(Mode::Held, 50, 1.0);
   CHECK(story.kind() == EventKind::Attached);  // after a reset the hand was empty
 }
 

@@ -34,9 +34,15 @@ Block at_rest() {
   return block;
 }
 
+Model make_model(Sensing sensing) {
+  return {rme::kind_of(sensing), kArm, 3, 0.01, {0, 0, -9.81}};
+}
+
+const rme::SensingKind& kRough = rme::kind_of(Sensing::RoughModel);
+
 /// A model that is shown one block after another.
 struct Scene {
-  explicit Scene(Sensing sensing) : model(sensing, kArm, 0.01), star(model.prior()) {}
+  explicit Scene(Sensing sensing) : model(make_model(sensing)), star(model.prior()) {}
   void block(const Joints& velocity, double tau = 0) { block(velocity, Joints(Joints::Constant(tau))); }
   void block(const Joints& velocity, const Joints& tau, const Joints& torque_step = Joints::Zero()) {
     Block block = at_rest();
@@ -53,80 +59,9 @@ struct Scene {
 
   Model model;
   Regime regime;
-  rme::BlockContext<double> context;
+  rme::BlockContext<double, kDofs> context;
   rme::StarGaussian<double, kDofs> star;
 };
-
-TEST_CASE("JointTorqueModel: behind the gears there is no friction, moving or not", "[joint_torque]") {
-  Scene scene(Sensing::LinkSide);
-  for (const double velocity : {0.0, 0.3, -0.3}) {
-    scene.block(Joints::Constant(velocity));
-    for (int j = 0; j < kDofs; ++j)
-      CHECK(scene.model.observation(j, 0).c == rme::JointNuisanceVector<double>(1, 0, 0, 1, 0));
-  }
-  CHECK(scene.deviation(0, rme::kCoulomb) == 0);
-}
-
-TEST_CASE("JointTorqueModel: a lag counts for 0.6 s after it has shown, and after each large change from then on",
-          "[joint_torque]") {
-  for (const Sensing sensing : {Sensing::LinkSide, Sensing::JointFriction, Sensing::RoughModel}) {
-    Model model(sensing, kArm, 0.01);
-    Regime regime;
-    // How long it counts in a block of this rate, in blocks of the same rate.
-    const auto lag_after = [&](double rate) {
-      Block block = at_rest();
-      block.torque_rate = Joints(rate, 0.5 * rate);
-      regime.update(block);
-      model.begin(block, regime);
-      return Joints(model.observation(0, 0).c[rme::kLag], model.observation(1, 0).c[rme::kLag]);
-    };
-    const bool link_side = sensing == Sensing::LinkSide;
-    const double large = 21 * std::sqrt(model.noise().variance(0)) / 0.02, small = 0.9 * large;
-    CHECK(lag_after(large).isZero(0));  // nothing is late yet
-    if (link_side) CHECK(model.prior().joint(0).covariance(rme::kLag, rme::kLag) == Approx(0.015 * 0.015));
-    CHECK(model.unexplained(Joints(0.02 * large, 0), Joints::Ones()) == link_side);
-    int blocks = 0;
-    while (blocks < 100 && !lag_after(small).isZero(0)) ++blocks;
-    CHECK(blocks == (link_side ? 29 : 0));
-    CHECK(lag_after(small).isZero(0));
-    const Joints lag = lag_after(-large);
-    CHECK(lag == (link_side ? Joints(-large, -0.5 * large) : Joints(0, 0)));
-    blocks = 0;
-    while (blocks < 100 && !lag_after(small).isZero(0)) ++blocks;
-    CHECK(blocks == (link_side ? 29 : 0));
-  }
-}
-
-TEST_CASE(
-    "JointTorqueModel: torque is late if a lag of 21 ms leaves as much as is unexplained, at the rate of this block or "
-    "the last",
-    "[joint_torque]") {
-  const Joints variance(1, 0.2);
-  for (const auto& [last, now] : {std::pair{Joints(0, 0), Joints(-3, 1)},
-                                  {Joints(-3, 1), Joints(0, 0)},
-                                  {Joints(1, -1), Joints(-3, 0.5)},
-                                  {Joints(-3, 0.5), Joints(2, 1)}}) {
-    const Joints rate = now.cwiseAbs().cwiseMax(last.cwiseAbs());
-    for (const double lag : {0.0209, 0.0211}) {
-      CAPTURE(last.transpose(), now.transpose(), lag);
-      Model model(Sensing::LinkSide, kArm, 0.01);
-      Regime regime;
-      Block block = at_rest();
-      regime.update(block);
-      for (const Joints& r : {last, now}) {
-        block.torque_rate = r;
-        model.begin(block, regime);
-      }
-      // Any innovation counts in its standard deviations.
-      const double length = lag * std::sqrt((rate.array().square() / variance.array()).sum());
-      const Joints innovation(0.6 * length, -0.8 * length * std::sqrt(variance[1]));
-      CHECK(model.unexplained(innovation, variance) == (lag < 0.021));
-      model.begin(block, regime);
-      CHECK((model.observation(0, 0).c[rme::kLag] == now[0]) == (lag < 0.021 || now[0] == 0));
-      CHECK_FALSE(model.unexplained(Joints::Constant(std::nan("")), variance));
-    }
-  }
-}
 
 TEST_CASE("JointTorqueModel: friction acts against the motion, and what a joint held when it stopped, it holds",
           "[joint_torque]") {
@@ -148,7 +83,7 @@ TEST_CASE("JointTorqueModel: a rough arm's friction fades into what holds it at 
   for (const double velocity : {0.0, 0.003, 0.03, 1.0}) {
     scene.block(Joints(velocity, -velocity));
     const auto c = scene.model.observation(0, 0).c, opposite = scene.model.observation(1, 0).c;
-    CHECK(c[rme::kStiction] == Approx(0.003 / (velocity + 0.003)));
+    CHECK(c[rme::kStiction] == Approx(kRough.slow / (velocity + kRough.slow)));
     CHECK(c[rme::kCoulomb] == Approx(c[rme::kStiction] - 1));
     CHECK(opposite[rme::kCoulomb] == Approx(-c[rme::kCoulomb]));
     CHECK(c[rme::kStiction] <= last);
@@ -165,26 +100,14 @@ TEST_CASE("JointTorqueModel: a rough arm's joint that turns back is noisy for a 
   scene.star.joint(0).mean[rme::kResidual] = scene.star.joint(1).mean[rme::kResidual] = 1;
   scene.block(Joints(-0.3, 0.3));
   // From 0.3 / 0.35 to its opposite is a change of 1.71; the other joint has gone its way, as far as both together.
-  const double way = std::sqrt(0.18) * 0.02, kept = std::exp(-way / 1.2);
+  const double way = std::sqrt(0.18) * 0.02, kept = std::exp(-way / rme::kind_of(Sensing::RoughModel).way);
   CHECK(scene.star.joint(0).mean[rme::kResidual] == Approx(kept * std::exp(-0.6 / 0.35)));
   CHECK(scene.star.joint(1).mean[rme::kResidual] == Approx(kept));
   CHECK(scene.deviation(0, rme::kResidual) == Approx(residual).epsilon(0.05));
-  CHECK(scene.model.observation(0, 0).noise > quiet + 5.9 * residual * residual);
+  CHECK(scene.model.observation(0, 0).noise > quiet + 0.98 * kRough.turn_noise * residual * residual);
   CHECK(scene.model.observation(1, 0).noise == Approx(scene.model.noise().variance(1)));
   for (int k = 0; k < 50; ++k) scene.block(Joints(-0.3, 0.3));
   CHECK(scene.model.observation(0, 0).noise < quiet + 0.1 * residual * residual);
-}
-
-TEST_CASE("JointTorqueModel: noise of dq is noise of the inertia force, in proportion to the mass", "[joint_torque]") {
-  Model model(Sensing::LinkSide, kArm, 0.01);
-  Block block = at_rest();
-  block.jacobian(2, 0) = 0.5;
-  block.velocity_noise = Joints(1e-6, 0);
-  model.begin(block, Regime());
-  const double floor = model.observation(0, 0).noise, held = model.observation(0, 2).noise - floor;
-  // (m J)^2 of the slope's variance, 12 / (n T^2) J^2 sigma^2; shared by three axes, 2.5 times that.
-  CHECK(held == Approx(2 * 2 * 0.25 * (2.5 * 12 / 20 / 4e-4 * 0.25 * 1e-6 / 3)));
-  CHECK(model.observation(1, 2).noise == Approx(model.observation(1, 0).noise));
 }
 
 using Beta = rme::JointNuisanceVector<double>;
@@ -218,11 +141,14 @@ void check_life(const rme::StarGaussian<double, kDofs>& before, const rme::StarG
 }
 
 constexpr double kPeriod = 0.02;  // [s]
+constexpr double kTurns = 4;      // change of the torque that draws the stiction anew, in Coulomb frictions
+/// What is left of the stiction after a block in which other joints move.
+const double kHold = std::exp(-kPeriod * rme::kind_of(Sensing::JointFriction).creep);
 
 /// What (T27) says of the residual, and what drifts by 2e-4 N m of the arm's scale, or by 1e-4 of itself.
 Life life_of(const Scene& scene, int j, Sensing sensing, double speed, double turned = 0) {
   Life life;
-  const double keep = std::exp(-speed * kPeriod / (sensing == Sensing::RoughModel ? 1.2 : 0.7)) * std::exp(-turned);
+  const double keep = std::exp(-speed * kPeriod / rme::kind_of(sensing).way - rme::kind_of(sensing).turn * turned);
   life.F(rme::kResidual, rme::kResidual) = keep;
   life.Q(rme::kResidual, rme::kResidual) = (1 - keep * keep) * scene.model.noise().residual_variance(j);
   life.Q(rme::kOffset, rme::kOffset) = std::pow(2e-4 * kArm.residual[j], 2);
@@ -257,7 +183,7 @@ TEST_CASE("JointTorqueModel: what holds a resting joint wanders while others mov
   auto before = scene.star = any_star(random);
   scene.block(Joints(0, 0.5));
   Life life = life_of(scene, 0, Sensing::JointFriction, 0.5);
-  hold(life, std::exp(-kPeriod / 20), std::pow(0.6 * kArm.coulomb[0], 2));
+  hold(life, kHold, std::pow(0.6 * kArm.coulomb[0], 2));
   check_life(before, scene.star, 0, life);
   CHECK(scene.model.stiction_jump(scene.star, 0) == Approx(std::pow(1.5 * kArm.coulomb[0], 2)));
   CHECK(scene.model.stiction_jump(scene.star, 1) == 0);  // it moves
@@ -280,13 +206,13 @@ TEST_CASE("JointTorqueModel: friction holds a resting joint with no more than mo
     Scene scene(Sensing::JointFriction);
     auto& joint = scene.star.joint(0);
     // Half of it is known to belong to the payload's mass.
-    scene.star.replace_payload(2 * rme::InertialVector<double>::Unit(0), rme::InertialMatrix<double>::Zero());
-    joint.slope(0, rme::kCoulomb) = 0.25 * shown;
+    scene.star.draw_payload(2 * rme::InertialVector<double>::Unit(0), rme::InertialMatrix<double>::Zero());
+    joint.slope(rme::kPayload, rme::kCoulomb) = 0.25 * shown;
     joint.mean[rme::kCoulomb] = 0.5 * shown;
     joint.covariance(rme::kCoulomb, rme::kCoulomb) = 0.01 * 0.01;
     joint.covariance(rme::kStiction, rme::kStiction) = 0.3 * 0.3;
     const double square = shown * shown + 0.01 * 0.01 + std::pow(1e-4 * kArm.coulomb[0], 2);
-    const double variance = std::min(std::pow(0.6 * kArm.coulomb[0], 2), square), keep = std::exp(-2 * kPeriod / 20);
+    const double variance = std::min(std::pow(0.6 * kArm.coulomb[0], 2), square), keep = kHold * kHold;
     scene.block(Joints(0, 0.5));
     CHECK(joint.covariance(rme::kStiction, rme::kStiction) == Approx(keep * 0.3 * 0.3 + (1 - keep) * variance));
     CHECK(scene.model.stiction_jump(scene.star, 0) == Approx(6.25 * variance));
@@ -306,8 +232,8 @@ TEST_CASE("JointTorqueModel: what holds a resting joint turns over as its torque
     const auto before = scene.star = any_star(random);
     scene.block(Joints(0, speed), tau);
     Life life = life_of(scene, 0, Sensing::JointFriction, speed);
-    const double hold_still = speed > 0 ? std::exp(-kPeriod / 20) : 1;
-    hold(life, hold_still * std::exp(-change / kArm.coulomb[0]), std::pow(0.6 * kArm.coulomb[0], 2));
+    const double hold_still = speed > 0 ? kHold : 1;
+    hold(life, hold_still * std::exp(-change / (kTurns * kArm.coulomb[0])), std::pow(0.6 * kArm.coulomb[0], 2));
     check_life(before, scene.star, 0, life);
   };
   for (const bool shows : {true, false}) {
@@ -338,16 +264,17 @@ TEST_CASE("JointTorqueModel: what holds a resting joint turns over as its own co
     Scene scene(Sensing::JointFriction);
     scene.context.friction_shows = shows;
     scene.block(Joints::Zero());
-    // Joint 1 sees a hundredth of 0.7 of what phi changes by, either way; joint 0 nothing.
+    // Either way; that of joint 0 does not change.
     double pending = 0;
     for (const double change : {0.01, 0.0, -0.02, 0.0}) {
       CAPTURE(change);
-      scene.context.compensation_change[3] = change;
+      scene.context.compensation_change = Joints(0, 0.7 * change);
       const auto before = scene.star = any_star(random);
       scene.block(Joints::Zero());
       pending += 0.7 * std::abs(change);
       Life life = life_of(scene, 1, Sensing::JointFriction, 0);
-      hold(life, shows ? std::exp(-(1 - keep) * pending / kArm.coulomb[1]) : 1, std::pow(0.6 * kArm.coulomb[1], 2));
+      hold(life, shows ? std::exp(-(1 - keep) * pending / (kTurns * kArm.coulomb[1])) : 1,
+           std::pow(0.6 * kArm.coulomb[1], 2));
       pending *= keep;
       check_life(before, scene.star, 1, life);
       life = life_of(scene, 0, Sensing::JointFriction, 0);
@@ -391,106 +318,9 @@ TEST_CASE("JointTorqueModel: a rough arm's joint that turns forgets its residual
     const double turned[] = {0.5 / 0.55 - last / (last + 0.05), 0.15 / 0.2};  // changes of v / (|v| + 0.05)
     for (int j = 0; j < kDofs; ++j) {
       Life life = life_of(scene, j, Sensing::RoughModel, std::hypot(last, 0.15), turned[j]);
-      hold(life, std::exp(-kPeriod / 2 - 0.5 * turned[j]),
-           std::pow(0.6 * kArm.coulomb[j], 2) + 16 * scene.model.noise().residual_variance(j));
+      hold(life, std::exp(-kPeriod * kRough.creep - 0.5 * kRough.turn * turned[j]),
+           std::pow(0.6 * kArm.coulomb[j], 2) + kRough.stiction * scene.model.noise().residual_variance(j));
       check_life(before, scene.star, j, life);
-    }
-  }
-}
-
-TEST_CASE("JointTorqueModel: the prior is the arm's, friction give or take half of it", "[joint_torque]") {
-  for (const Sensing sensing : {Sensing::LinkSide, Sensing::JointFriction, Sensing::RoughModel}) {
-    const Model model(sensing, kArm, 0.01);
-    const auto star = model.prior();
-    const bool friction = sensing != Sensing::LinkSide;
-    for (int j = 0; j < kDofs; ++j) {
-      Beta mean = Beta::Zero(), variance = Beta::Zero();
-      variance[rme::kOffset] = std::pow(kArm.offset[j], 2);
-      if (!friction) variance[rme::kLag] = std::pow(0.015, 2);
-      if (friction) {
-        mean[rme::kCoulomb] = kArm.coulomb[j];
-        mean[rme::kViscous] = kArm.viscous[j];
-        variance[rme::kCoulomb] = std::pow(kArm.coulomb[j] / 2, 2);
-        variance[rme::kViscous] = std::pow(kArm.viscous[j] / 2, 2);
-        variance[rme::kStiction] = std::pow(0.6 * kArm.coulomb[j], 2);
-      }
-      if (sensing == Sensing::RoughModel) variance[rme::kStiction] += 16 * model.noise().residual_variance(j);
-      CHECK(star.joint(j).mean == mean);
-      CHECK((star.joint(j).covariance - BetaMatrix(variance.asDiagonal())).norm() < 1e-14);
-    }
-    CHECK(model.rough() == (sensing == Sensing::RoughModel));
-    CHECK(model.learns_lag() == (sensing == Sensing::LinkSide));
-  }
-}
-
-TEST_CASE("JointTorqueModel: reopening forgets what can hide a payload altogether, and of the offset how sure it was",
-          "[joint_torque]") {
-  const unsigned seed = 704;
-  CAPTURE(seed);
-  std::mt19937 random(seed);
-  const Model model(Sensing::RoughModel, kArm, 0.01);
-  const auto before = any_star(random);
-  auto star = before;
-  model.reopen_hiding(star);
-  for (int j = 0; j < kDofs; ++j) {
-    Life life;
-    life.F(rme::kResidual, rme::kResidual) = life.F(rme::kStiction, rme::kStiction) = 0;
-    life.Q(rme::kResidual, rme::kResidual) = model.noise().residual_variance(j);
-    life.Q(rme::kStiction, rme::kStiction) =
-        std::pow(0.6 * kArm.coulomb[j], 2) + 16 * model.noise().residual_variance(j);
-    check_life(before, star, j, life);
-  }
-  star = before;
-  model.reopen_offset(star);
-  for (int j = 0; j < kDofs; ++j) {
-    Life life;
-    life.Q(rme::kOffset, rme::kOffset) = std::pow(kArm.offset[j], 2);
-    check_life(before, star, j, life);
-  }
-}
-
-TEST_CASE("JointTorqueModel: once a load is gone, its offsets are uncertain by 2 % of what it made each joint bear",
-          "[joint_torque]") {
-  const unsigned seed = 553;
-  CAPTURE(seed);
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  Block block = at_rest();
-  rme::InertialVector<double> held;
-  for (int i = 0; i < rme::kInertial; ++i) {
-    held[i] = normal(random);
-    for (int j = 0; j < kDofs; ++j) block.regressor(j, i) = (j == 0 ? 1 : 10) * normal(random);
-  }
-  const Joints load = block.regressor * held;
-  // The second joint's offset was better known before any sample.
-  REQUIRE(0.02 * std::abs(load[0]) < kArm.offset[0]);
-  REQUIRE(0.02 * std::abs(load[1]) > kArm.offset[1]);
-  // What is left of the load, in the first joint or the second.
-  for (const double left : {0.0, 0.08, -0.08, 0.12, -0.12, 1.0}) {
-    for (int at = 0; at < kDofs; ++at) {
-      CAPTURE(left, at);
-      Model model(Sensing::LinkSide, kArm, 0.01);
-      const auto before = model.prior();
-      const double deviation = std::sqrt(std::pow(kArm.offset[at], 2) + model.noise().variance(at));
-      block.tau.setZero();
-      block.tau[at] = left * load[at];
-      if (left != 0) block.tau[at] += std::copysign(4.9 * deviation, block.tau[at]);
-      REQUIRE((std::abs(left) > 0.1) == (std::abs(block.tau[at]) > 0.1 * std::abs(load[at]) + 5 * deviation));
-      Regime regime;
-      regime.update(block);
-      model.begin(block, regime);
-      for (const double share : {1.0, 0.3}) {
-        CAPTURE(share);
-        auto star = before;
-        model.unload(star, held, share);
-        for (int j = 0; j < kDofs; ++j) {
-          Life life;
-          if (std::abs(left) < 0.1)
-            life.Q(rme::kOffset, rme::kOffset) =
-                share * std::pow(std::min(0.02 * std::abs(load[j]), kArm.offset[j]), 2);
-          check_life(before, star, j, life);
-        }
-      }
     }
   }
 }
@@ -503,7 +333,6 @@ TEST_CASE("JointTorqueModel: what 0.6 ms of the torque's change make, and what i
     CHECK(scene.model.observation(j, 0).noise == scene.model.noise().variance(j));
     CHECK(scene.model.observation(j, 0).torque == 5);
   }
-  CHECK(scene.model.observation(1, 0).h == rme::InertialVector<double>::Unit(3) * 0.7);
   scene.block(Joints::Zero(), Joints(7, -5), Joints(0.1, 0.2));
   for (int j = 0; j < kDofs; ++j) {
     const double change = j == 0 ? 2 : -10, step = j == 0 ? 0.1 : 0.2;
@@ -532,56 +361,98 @@ TEST_CASE("JointTorqueModel: a joint that starts or turns back within a block ha
   CHECK(scene.model.observation(1, 0).noise == scene.model.noise().variance(1));
 }
 
-TEST_CASE(
-    "JointTorqueModel: noise of a rough arm's joint that has turned fades within 0.2 s, and is larger the slower it is",
-    "[joint_torque]") {
-  Scene scene(Sensing::RoughModel);
-  const auto turning = [&](int j) {
-    const auto o = scene.model.observation(j, 0);
-    const double residual = scene.model.noise().residual_variance(j);
-    return (o.noise - scene.model.noise().variance(j)) / (residual * (6 + 20 * o.c[rme::kStiction]));
-  };
-  scene.block(Joints(0.3, 0));
-  CHECK(turning(0) == 0);  // the first block has no predecessor
-  scene.block(Joints(-0.3, 0.002));
-  CHECK(turning(0) == Approx(1));  // a reversal is a change of 1.71; more than 1 does not count
-  CHECK(turning(1) == Approx(0.002 / 0.052));
-  scene.block(Joints(-0.3, 0.002));
-  CHECK(turning(0) == Approx(std::exp(-0.1)));
-  scene.block(Joints(-0.3, 0.002));
-  CHECK(turning(0) == Approx(std::exp(-0.2)));
-  CHECK(turning(1) == Approx(0.002 / 0.052 * std::exp(-0.2)));
+TEST_CASE("JointTorqueModel: the torque depends on lag, tool, tilt and payload as they are defined", "[joint_torque]") {
+  const unsigned seed = 705;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const auto draw = [&] { return normal(random); };
+  for (const Eigen::Vector3d& gravity : {Eigen::Vector3d(0, 0, -9.81), Eigen::Vector3d(9.81, 0, 0)}) {
+    Model model(rme::kind_of(Sensing::LinkSide), kArm, 3, 0.01, gravity);
+    Block block = at_rest();
+    block.torque_rate = block.torque_rate.NullaryExpr(draw);
+    block.regressor = block.regressor.NullaryExpr(draw);
+    for (const bool known : {false, true}) {
+      Eigen::Matrix<double, kDofs, 3> arm = arm.NullaryExpr(draw);
+      if (known) block.gravity_torque = arm;
+      model.begin(block, Regime());
+      Eigen::Matrix<double, kDofs, 2> tilt;
+      for (int j = 0; j < kDofs; ++j) {
+        const auto o = model.observation(j, 0);
+        CHECK(o.h[rme::kLag] == block.torque_rate[j]);
+        CHECK(o.h.segment<4>(rme::kTool).transpose() == block.regressor.row(j).head<4>());
+        CHECK(o.h.tail<rme::kInertial>().transpose() == block.regressor.row(j));
+        tilt.row(j) = o.h.segment<2>(rme::kTilt).transpose();
+      }
+      // The robot's model takes gravity to be g; it is g turned about two axes across it. The arm's own torque that it
+      // subtracts is -arm g, and what it leaves is the difference.
+      CHECK(tilt.isZero(0) != known);
+      if (!known) continue;
+      const Eigen::Matrix2d across = tilt.transpose() * tilt;
+      const Eigen::Matrix<double, kDofs, 3> turned = arm * rme::skew(gravity);
+      // The same whichever two orthogonal axes are chosen.
+      CHECK(across.trace() == Approx((turned.transpose() * turned).trace()));
+      CHECK((tilt * tilt.transpose() - turned * turned.transpose()).norm() < 1e-9 * turned.squaredNorm());
+    }
+  }
 }
 
-TEST_CASE("JointTorqueModel: noise of dq turns the payload as well, and of a few samples it is that of two ends",
-          "[joint_torque]") {
-  // (T29): 2.5 min(2, 12 / n) / T^2 times the mean over the axes of J var(dq) J^T is the variance of the flange's
-  // acceleration. A kilogram turns it into J^T a and, at the root of 0.01 m^2 from it, into moments: of its weight on
-  // that arm, and of the angular acceleration.
-  Block block;
-  block.duration = 0.04;
-  block.tau.setZero();
-  block.regressor.setZero();
-  block.jacobian << 0.1, 0.4, 0.2, 0.5, -0.1, 0.1, 0.3, 0.2, -0.3, 0.7, 0.6, 0.8;
-  block.velocity.setZero();
-  block.velocities.setZero();
-  block.torque_step.setZero();
-  block.velocity_noise = Joints(1e-6, 4e-6);
-  const auto linear = block.jacobian.topRows<3>(), angular = block.jacobian.bottomRows<3>();
-  const double arm = 0.01;
-  for (const int samples : {0, 1, 4, 10, 40}) {
-    CAPTURE(samples);
-    block.samples = samples;
-    Model model(Sensing::LinkSide, kArm, arm);
-    model.begin(block, Regime());
-    const double share = 2.5 * (samples <= 6 ? 2 : 12.0 / samples) / (0.04 * 0.04) / 3;
-    const double a = share * (linear * block.velocity_noise.asDiagonal() * linear.transpose()).trace();
-    const double turn = share * (angular * block.velocity_noise.asDiagonal() * angular.transpose()).trace();
-    for (int j = 0; j < kDofs; ++j)
-      CHECK(
-          model.observation(j, 3).noise - model.noise().variance(j) ==
-          Approx(9 * (a * linear.col(j).squaredNorm() + (a * arm + turn * arm * arm) * angular.col(j).squaredNorm())));
+TEST_CASE("JointTorqueModel: the prior is the arm's, friction give or take half of it", "[joint_torque]") {
+  for (const Sensing sensing : {Sensing::LinkSide, Sensing::JointFriction, Sensing::RoughModel}) {
+    const rme::SensingKind& kind = rme::kind_of(sensing);
+    const Model model = make_model(sensing);
+    const auto star = model.prior();
+    CHECK(star.empty());
+    CHECK(star.mean().isZero(0));
+    CHECK(star.variance(rme::kLag) == Approx(kind.lag * kind.lag));
+    CHECK(std::sqrt(star.variance(rme::kTool)) == Approx(3 * kind.tool));
+    for (int i = 1; i < 4; ++i) CHECK(std::sqrt(star.variance(rme::kTool + i)) == Approx(3 * kind.tool * 0.25));
+    CHECK(std::sqrt(star.variance(rme::kTilt)) == Approx(0.02));
+    for (int j = 0; j < kDofs; ++j) {
+      Beta mean = Beta::Zero(), variance = Beta::Zero();
+      variance[rme::kOffset] = std::pow(kArm.offset[j], 2);
+      mean[rme::kCoulomb] = kind.friction * kArm.coulomb[j];
+      mean[rme::kViscous] = kind.friction * kArm.viscous[j];
+      variance[rme::kCoulomb] = std::pow(mean[rme::kCoulomb] / 2, 2);
+      variance[rme::kViscous] = std::pow(mean[rme::kViscous] / 2, 2);
+      variance[rme::kStiction] =
+          std::pow(0.6 * mean[rme::kCoulomb], 2) + kind.stiction * model.noise().residual_variance(j);
+      CHECK(star.joint(j).mean == mean);
+      CHECK((star.joint(j).covariance - BetaMatrix(variance.asDiagonal())).norm() < 1e-14);
+    }
   }
+}
+
+TEST_CASE("JointTorqueModel: reopening forgets how sure the offset was", "[joint_torque]") {
+  const unsigned seed = 704;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const auto before = any_star(random);
+  auto star = before;
+  make_model(Sensing::RoughModel).reopen_offset(star);
+  for (int j = 0; j < kDofs; ++j) {
+    Life life;
+    life.Q(rme::kOffset, rme::kOffset) = std::pow(kArm.offset[j], 2);
+    check_life(before, star, j, life);
+  }
+}
+
+TEST_CASE("JointTorqueModel: what is not known of the flange's acceleration is noise of the payload's inertia force",
+          "[joint_torque]") {
+  // A kilogram turns it into J^T a and, at the root of 0.01 m^2 from the flange, into moments: of its inertia force on
+  // that arm, and of the angular acceleration. 2.5 times, since the joints' errors are one and the same.
+  Block block = at_rest();
+  block.jacobian << 0.1, 0.4, 0.2, 0.5, -0.1, 0.1, 0.3, 0.2, -0.3, 0.7, 0.6, 0.8;
+  block.acceleration_variance = 0.3;
+  block.angular_acceleration_variance = 0.7;
+  Model model = make_model(Sensing::LinkSide);
+  model.begin(block, Regime());
+  const double arm = 0.01;
+  for (int j = 0; j < kDofs; ++j)
+    CHECK(model.observation(j, 3).noise - model.noise().variance(j) ==
+          Approx(9 * 2.5 *
+                 (0.3 * block.jacobian.col(j).head<3>().squaredNorm() +
+                  (0.3 * arm + 0.7 * arm * arm) * block.jacobian.col(j).tail<3>().squaredNorm())));
 }
 
 }  // namespace

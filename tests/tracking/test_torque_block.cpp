@@ -22,6 +22,11 @@ Sample at_rest() {
   return s;
 }
 
+/// Velocity of joints that swing at 2.5 to 3.3 Hz [rad/s], k ms after the start.
+Joints smooth_velocity(int k) {
+  return Joints(std::sin(0.016 * k), 0.7 * std::cos(0.018 * k), std::sin(1 - 0.021 * k));
+}
+
 /// An observer by Euler's rule with its own period of 1 ms, as arms have it: r += K p (tau - r). tau of the period that
 /// ends at `k` ms. A host that is slower, or loses samples, sees some of its outputs.
 struct Observer {
@@ -52,7 +57,7 @@ bool always(int) {
 }
 
 TEST_CASE("BlockContext: by default nothing is known of the block, and every kind of sensing is likely", "[block]") {
-  const rme::BlockContext<double> context;
+  const rme::BlockContext<double, kDofs> context;
   CHECK_FALSE(context.exchange_likely);
   CHECK(context.kind_likely);
   CHECK_FALSE(context.friction_shows);
@@ -137,12 +142,8 @@ TEST_CASE("BlockAverager: white noise of the sensor stays white, and averages ou
 }
 
 TEST_CASE("BlockAverager: the flange's acceleration is the weighted mean of the changes of its velocity", "[block]") {
-  // At one place, so that the regressor of the mass is J^T (g - a), a the mean over the block, whatever the velocity
-  // has done in between.
-  const unsigned seed = 522;
-  CAPTURE(seed);
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> u(-1, 1);
+  // At one place, so that the regressor of the mass is J^T (g - a), a the mean over the block. The velocity is smooth, so
+  // that it has nearly no noise: its second differences are 3e-4 of it.
   Averager averager(50, kGravity, Averager::kDuration);
   Sample s = at_rest();
   Eigen::Vector3d last = Eigen::Vector3d::Zero(), change = Eigen::Vector3d::Zero();
@@ -151,7 +152,7 @@ TEST_CASE("BlockAverager: the flange's acceleration is the weighted mean of the 
   bool first = true;
   int blocks = 0;
   for (int k = 0; k <= 200; ++k) {
-    s.dq = Joints(u(random), u(random), u(random));
+    s.dq = smooth_velocity(k);
     const Eigen::Vector3d v = s.jacobian.topRows<3>() * s.dq;
     if (!first) {
       const double along = ((k - 1) % 20 + 0.5) / 20, shape = std::max(0.05, 6 * along * (1 - along));
@@ -165,7 +166,7 @@ TEST_CASE("BlockAverager: the flange's acceleration is the weighted mean of the 
     ++blocks;
     const auto& block = averager.block();
     const Joints expected = s.jacobian.topRows<3>().transpose() * (kGravity - change / weight);
-    CHECK((block.regressor.col(0) - expected).norm() < 1e-10 * expected.norm());
+    CHECK((block.regressor.col(0) - expected).norm() < 1e-6 * expected.norm());
     CHECK((block.velocity - sum / 20).norm() < 1e-12);
     CHECK((block.velocities.rowwise().mean() - sum / 20).norm() < 1e-12);  // four parts of the same length
     change.setZero();
@@ -260,7 +261,8 @@ TEST_CASE("BlockAverager: the rate of a torque is that of tau_ext as it comes, w
         s.tau_ext = Joints::Constant(0.4) + rate * (period * k);
         if (!averager.add(s, period, period * k)) continue;
         ++blocks;
-        CHECK((averager.block().torque_rate - rate).norm() < 1e-9);
+        // Each change of a ramp is as large as the last one, as if the torque were quantised: that may be its noise.
+        if (blocks > 1) CHECK((averager.block().torque_rate - rate).norm() < 0.04 * rate.norm());
       }
       CHECK(blocks >= 9);
     }
@@ -354,10 +356,6 @@ TEST_CASE("BlockAverager: each quarter of a block has its own velocity, and its 
           "[block]") {
   // (T9) sample by sample: weights 6 s (1 - s), velocity of the flange the mean of a period's two ends, acceleration
   // the weighted changes; the regressor is that of each quarter, by its weight.
-  const unsigned seed = 528;
-  CAPTURE(seed);
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> u(-1, 1);
   Averager averager(0, kGravity, Averager::kDuration);
   Sample s = at_rest();
   Eigen::Matrix<double, 6, 1> last;
@@ -366,7 +364,7 @@ TEST_CASE("BlockAverager: each quarter of a block has its own velocity, and its 
   double total = 0, weight = 0;
   rme::FlangeMotion<double> motion;
   for (int k = 0; k <= 20; ++k) {
-    s.dq = Joints(u(random), u(random), u(random));
+    s.dq = smooth_velocity(k);
     s.rotation = Eigen::AngleAxisd(0.1 * k, Eigen::Vector3d::UnitX()).toRotationMatrix();
     const Eigen::Matrix<double, 6, 1> twist = s.jacobian * s.dq;
     if (k > 0) {
@@ -388,7 +386,7 @@ TEST_CASE("BlockAverager: each quarter of a block has its own velocity, and its 
     }
     averager.add(s, 1e-3, 1e-3 * k);
   }
-  CHECK((averager.block().regressor - expected / total).norm() < 1e-10 * expected.norm());
+  CHECK((averager.block().regressor - expected / total).norm() < 1e-6 * expected.norm() / total);
   CHECK((averager.block().velocities - velocities).norm() < 1e-12);
 }
 
@@ -479,6 +477,245 @@ TEST_CASE("BlockAverager: noise of a joint that only turns the flange makes no b
     averager.add(s, 1e-3, 1e-3 * k);
   }
   CHECK(averager.block().duration == Approx(0.02).epsilon(1e-6));
+}
+
+/// Flange acceleration that a block's regressor of the mass contains: J^T (g - a) of at_rest()'s Jacobian, inverted.
+Eigen::Vector3d acceleration_of(const Block& block) {
+  const Eigen::Matrix3d linear = at_rest().jacobian.topRows<3>();
+  return kGravity - linear.transpose().inverse() * block.regressor.col(0);
+}
+
+TEST_CASE("BlockAverager: the noise of dq of an arm at rest is not in the regressor, and in motion its acceleration is",
+          "[block]") {
+  const unsigned seed = 532;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  Averager averager(50, kGravity, Averager::kDuration), clean(50, kGravity, Averager::kDuration);
+  Sample s = at_rest(), t = s;
+  const double linear = s.jacobian.topRows<3>().squaredNorm(), angular = s.jacobian.bottomRows<3>().squaredNorm();
+  const double slope = 12 / (20 * 0.02 * 0.02);
+  double noise_in = 0, noise_left = 0, inertia_left = 0, rest_variance = 0;
+  double error = 0, variance = 0, angular_variance = 0, acceleration = 0;
+  for (int k = 0; k < 120'000; ++k) {
+    const bool moves = k >= 60'000;
+    t.dq = moves ? Joints(0.5 * smooth_velocity(k)) : Joints(Joints::Zero());
+    s.dq = t.dq + Joints::NullaryExpr([&] { return 2e-3 * normal(random); });
+    const bool complete = averager.add(s, 1e-3, 1e-3 * k);
+    CHECK(clean.add(t, 1e-3, 1e-3 * k) == complete);
+    if (!complete) continue;
+    const Block& block = averager.block();
+    if (!moves && k > 2000) {
+      noise_in += slope * 4e-6 * linear;
+      noise_left += acceleration_of(block).squaredNorm();
+      inertia_left += block.regressor.rightCols<6>().squaredNorm();  // of the angular acceleration alone
+      rest_variance += 3 * block.acceleration_variance;
+    } else if (k > 61'000) {
+      const Eigen::Vector3d a = acceleration_of(clean.block());
+      error += (acceleration_of(block) - a).squaredNorm();
+      acceleration += a.squaredNorm();
+      variance += 3 * block.acceleration_variance;
+      angular_variance += 3 * block.angular_acceleration_variance;
+    }
+  }
+  CHECK(noise_left < 1e-4 * noise_in);
+  CHECK(inertia_left < 1e-3 * noise_in);
+  CHECK(rest_variance < 0.15 * noise_in);
+  CHECK(error < 0.01 * acceleration);
+  CHECK(variance == Approx(error).epsilon(0.15));
+  CHECK(angular_variance / angular == Approx(variance / linear).epsilon(0.03));  // the same noise in all joints
+}
+
+TEST_CASE("BlockAverager: a payload at rest keeps its weight for 15 minutes, whatever the noise of dq", "[block]") {
+  // An estimate of the mass beside an offset, which is all that is known at rest: only a changing acceleration could
+  // tell them apart, and at rest there is none.
+  const unsigned seed = 533;
+  CAPTURE(seed);
+  for (const double noise : {5e-4, 2e-3, 1e-2}) {
+    CAPTURE(noise);
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    rme::BlockAverager<double, 1> averager(0, kGravity);
+    rme::Proprioception<double, 1> s;
+    s.jacobian(2, 0) = 0.5;
+    Eigen::Vector2d mean(1, 0);
+    Eigen::Matrix2d P = Eigen::Vector2d(0.04, 0.04 * 24).asDiagonal();  // 0.2 kg, and its torque of offset
+    P(0, 1) = P(1, 0) = 0;
+    for (int k = 0; k <= 900'000; ++k) {
+      s.dq[0] = noise * normal(random);
+      s.tau_ext[0] = -0.5 * 9.81 + 0.05 * normal(random);
+      if (!averager.add(s, 1e-3, 1e-3 * k)) continue;
+      const Eigen::Vector2d h(averager.block().regressor(0, 0), 1);
+      const double S = h.dot(P * h) + 0.012 * 0.012;
+      const Eigen::Vector2d gain = P * h / S;
+      mean += gain * (averager.block().tau[0] - h.dot(mean));
+      P -= (gain * S * gain.transpose()).eval();
+    }
+    CHECK(std::abs(mean[0] - 1) < 0.01);
+    CHECK(P(0, 0) > 0.9 * 0.04 * 0.5);
+  }
+}
+
+TEST_CASE("BlockAverager: a motion that the host gives is not shrunk and has no variance", "[block]") {
+  const unsigned seed = 534;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  Averager averager(50, kGravity);
+  Sample s = at_rest();
+  for (int k = 0; k <= 2000; ++k) {
+    s.dq = Joints::NullaryExpr([&] { return 2e-3 * normal(random); });
+    s.motion = rme::FlangeMotion<double>{Eigen::Vector3d::Zero(), {0.01, 0, 0.02}, Eigen::Vector3d::Zero()};
+    if (!averager.add(s, 1e-3, 1e-3 * k)) continue;
+    CHECK((acceleration_of(averager.block()) - s.motion->linear_acceleration).norm() < 1e-12);
+    CHECK(averager.block().acceleration_variance == 0);
+    CHECK(averager.block().angular_acceleration_variance == 0);
+  }
+}
+
+TEST_CASE("BlockAverager: a joint that rests while another moves adds no noise to the regressor", "[block]") {
+  const unsigned seed = 535;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  Averager averager(50, kGravity, Averager::kDuration);
+  Sample s;
+  s.jacobian(0, 0) = s.jacobian(1, 1) = 1;  // each joint along its own axis
+  double moving = 0, resting = 0;
+  for (int k = 0; k <= 20'000; ++k) {
+    s.dq = Joints(std::sin(0.01 * k) + 2e-3 * normal(random), 2e-3 * normal(random), 0);
+    if (!averager.add(s, 1e-3, 1e-3 * k) || k < 1000) continue;
+    moving += std::pow(averager.block().regressor(0, 0), 2);
+    resting += std::pow(averager.block().regressor(1, 0), 2);
+  }
+  CHECK(moving / 950 == Approx(50).epsilon(0.03));
+  CHECK(resting / 950 < 1e-5);  // of 6e-3
+}
+
+TEST_CASE("BlockAverager: the rate of a torque is zero in quiet, and that of a payload that is attached in full",
+          "[block]") {
+  const unsigned seed = 536;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  for (const double resolution : {0.0, 0.05}) {
+    CAPTURE(resolution);
+    Averager averager(50, kGravity), reference(50, kGravity);
+    Observer observer, clean;
+    Sample s = at_rest(), t = s;
+    int zero = 0, quiet = 0, steep = 0;
+    for (int k = 0; k <= 10'000; ++k) {
+      const Joints tau = k > 9000 ? Joints(5, -3, 2) : Joints(Joints::Zero());
+      s.tau_ext = observer(tau + Joints::NullaryExpr([&] { return 0.05 * normal(random); }));
+      t.tau_ext = clean(tau);
+      for (int j = 0; resolution > 0 && j < kDofs; ++j)
+        s.tau_ext[j] = resolution * std::round(s.tau_ext[j] / resolution);
+      const bool complete = averager.add(s, 1e-3, 1e-3 * k);
+      CHECK(reference.add(t, 1e-3, 1e-3 * k) == complete);
+      if (!complete) continue;
+      const Joints rate = averager.block().torque_rate;
+      if (k > 1000 && k <= 9000) {
+        ++quiet;
+        zero += rate.isZero(0) ? 1 : 0;
+      }
+      if (k > 9000 && k <= 9060) {  // 158, 58 and 21 N m/s in the first joint
+        CAPTURE(k);
+        ++steep;
+        const Joints full = reference.block().torque_rate;
+        CHECK((rate - full).norm() < 0.02 * full.norm() + 3);
+      }
+    }
+    CHECK(zero > 0.98 * quiet);
+    CHECK(steep == 3);
+  }
+}
+
+TEST_CASE("BlockAverager: the compensation is averaged like the torque, and gravity's torque is the last sample's",
+          "[block]") {
+  Averager averager(0, kGravity);
+  Sample s = at_rest();
+  for (int k = 0; k <= 100; ++k) {
+    s.tau_ext = Joints(std::sin(0.1 * k), k, 1);
+    s.compensation.reset();
+    s.gravity_torque.reset();
+    if (k <= 40) s.compensation = s.tau_ext;
+    if (k > 40 && k <= 60 && k % 20 < 9) s.compensation = Joints::Constant(2);  // in the lesser part of the block
+    if (k > 60 && k <= 80 && k % 20 < 15) s.compensation = Joints::Constant(2);
+    if (k % 40 == 0) s.gravity_torque = Eigen::Matrix3d::Constant(k);
+    if (!averager.add(s, 1e-3, 1e-3 * k)) continue;
+    const Block& block = averager.block();
+    CAPTURE(k);
+    CHECK(block.carried.has_value() == (k == 20 || k == 40 || k == 80));
+    if (k <= 40) CHECK((*block.carried - block.tau).norm() < 1e-12);
+    if (k == 80) CHECK((*block.carried - Joints::Constant(2)).norm() < 1e-12);
+    CHECK(block.gravity_torque.has_value() == (k % 40 == 0));
+    if (block.gravity_torque) CHECK(*block.gravity_torque == Eigen::Matrix3d::Constant(k));
+  }
+}
+
+TEST_CASE("BlockAverager: at 10 Hz to 10 kHz blocks hold torque, acceleration and noise of an arm", "[block]") {
+  const unsigned seed = 537;
+  CAPTURE(seed);
+  for (const double dt : {0.1, 1 / 15.0, 0.02, 0.01, 1e-3, 1e-4}) {
+    CAPTURE(dt);
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    Averager averager(50, kGravity, Averager::kDuration);
+    Sample s = at_rest();
+    const Joints acceleration(1.5, -1, 0.5);
+    // At rest, then steadily accelerated.
+    const int rest = int(4 / dt) + 60, all = rest + int(1 / dt) + 10;
+    double noise = 0, error = 0, variance = 0, duration = 0;
+    int blocks = 0, moving = 0;
+    for (int k = 0; k <= all; ++k) {
+      s.dq = acceleration * dt * std::max(0, k - rest) + Joints::NullaryExpr([&] { return 1e-3 * normal(random); });
+      s.tau_ext = Joints(1, 2, 3);
+      const bool complete = averager.add(s, dt, dt * k);
+      if (k > 0 && dt >= 0.02 - 1e-9) CHECK(complete);  // a block is one sample
+      if (!complete) continue;
+      const Block& block = averager.block();
+      REQUIRE(block.regressor.allFinite());
+      REQUIRE(std::isfinite(block.acceleration_variance));
+      CHECK((block.tau - s.tau_ext).norm() < 1e-9);
+      duration += block.duration;
+      ++blocks;
+      if (k <= rest) noise = block.velocity_noise.mean();
+      if (k > rest + 0.3 / dt + 2) {
+        const Eigen::Vector3d a = s.jacobian.topRows<3>() * acceleration;
+        error += (acceleration_of(block) - a).squaredNorm() / 3;
+        variance += block.acceleration_variance;
+        ++moving;
+      }
+    }
+    CHECK(duration / blocks == Approx(std::max(0.02, dt)).epsilon(0.2));
+    CHECK(noise == Approx(1e-6).epsilon(0.5));
+    REQUIRE(moving > 0);
+    // The slope's noise, and no more: of two samples at worst.
+    const double n = std::max(1.0, 0.02 / dt), slope = std::min(2.0, 12 / n) / std::pow(std::max(0.02, dt), 2);
+    const double most = slope * 1e-6 * s.jacobian.topRows<3>().squaredNorm() / 3;
+    CHECK(error / moving < 3 * most);
+    CHECK(variance / moving < 2 * most);
+    CHECK(variance / moving > 0.2 * most);
+  }
+}
+
+TEST_CASE("BlockAverager: a slow host's uneven acceleration counts as noise of dq", "[block]") {
+  // Between samples 0.1 s apart nobody knows how the acceleration changes, and the torque is of one instant.
+  Averager averager(50, kGravity);
+  Sample s = at_rest();
+  const Eigen::Matrix3d linear = s.jacobian.topRows<3>();
+  double error = 0, variance = 0, size = 0;
+  for (int k = 0; k <= 600; ++k) {
+    s.dq = smooth_velocity(40 * k);  // 1 to 1.3 Hz
+    if (!averager.add(s, 0.1, 0.1 * k) || k < 100) continue;
+    const double at = 40.0 * k;
+    const Joints a(6.4 * std::cos(0.016 * at), -0.7 * 7.2 * std::sin(0.018 * at), -8.4 * std::cos(1 - 0.021 * at));
+    error += (acceleration_of(averager.block()) - linear * a).squaredNorm() / 3;
+    size += (linear * a).squaredNorm() / 3;
+    variance += averager.block().acceleration_variance;
+  }
+  CHECK(error < 0.4 * size);
+  CHECK(variance == Approx(error).epsilon(0.6));
 }
 
 }  // namespace

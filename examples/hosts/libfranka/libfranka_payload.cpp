@@ -109,9 +109,9 @@ void print(const rme::EstimatorState<double>& state, bool changed) {
   const rme::Vector4<double> std = state.payload.standard_deviation();
   std::printf("%7.1f s  %.3f +- %.3f kg at (%.3f, %.3f, %.3f) +- (%.3f, %.3f, %.3f) m, health %.1f%s\n", state.time,
               mean[0], std[0], mean[1], mean[2], mean[3], std[1], std[2], std[3], state.health,
-              changed                                            ? ", changed"
-              : state.probability[rme::Hypothesis::Pushed] > 0.5 ? ", pushed"
-                                                                 : "");
+              changed                                         ? ", changed"
+              : state.probability[rme::Mode::Disturbed] > 0.5 ? ", pushed"
+                                                              : "");
   std::fflush(stdout);
 }
 

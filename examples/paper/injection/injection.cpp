@@ -7,7 +7,7 @@
 // Noise, friction and model errors remain those of the real arm.
 //
 // Prints the estimates 1 s (--after) after random instants at which nothing is injected; the same for payloads of a
-// tenth to half of the rated payload, unannounced and announced with trigger(); and the estimates in the log as it is.
+// tenth to half of the rated payload, unannounced and announced with expect_change(); and the estimates in the log as it is.
 // In a short log the windows overlap, so their errors are not independent.
 #include <cmath>
 #include <cstdio>
@@ -178,7 +178,7 @@ void print_false_payloads(const Log<Dofs>& log, const Samples<Dofs>& samples, co
       log, samples, options,
       [&](const ReplayedEstimate& e) {
         attached += e.final && !e.state.empty() ? 1 : 0;
-        if (e.state.probability[rme::Hypothesis::Empty] < 0.1) largest = std::max(largest, e.state.payload.mean[0]);
+        if (e.state.held > 0.9) largest = std::max(largest, e.state.payload.mean[0]);
       },
       [](const ReplayedPush&) {});
   std::printf(

@@ -16,6 +16,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
     Infeasible,           ///< hard constraints contradict each other; the answer with the least violation is returned
     CapacityExceeded,     ///< no room for more in storage fixed at compile time
     WrongSize,            ///< a vector or a matrix does not have the size given at construction
+    NotAMeasurement,      ///< a sensor's reading is frozen, or zero as no reading of it can be (stale_torque.hpp)
 };
 
 /// The enumerator's name, for logs.
@@ -39,6 +40,8 @@ constexpr const char* to_string(Status status) noexcept {
       return "CapacityExceeded";
     case Status::WrongSize:
       return "WrongSize";
+    case Status::NotAMeasurement:
+      return "NotAMeasurement";
   }
   return "unknown";
 }

@@ -154,7 +154,7 @@ Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const Payloa
 
   // Modes: each lies between the neighbours of a coarse node that exceeds both. The coarse pass does not show which
   // mode is the highest, since a sharp one falls off by many powers of e within the spacing.
-  struct Mode {
+  struct Peak {
     Scalar mass, log_density;
   };
   const auto sharpen = [&](Scalar lo, Scalar hi) noexcept {
@@ -170,7 +170,7 @@ Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const Payloa
         x2 = lo + kGolden * (hi - lo), f2 = log_density(x2);
       }
     }
-    return f1 > f2 ? Mode{x1, f1} : Mode{x2, f2};
+    return f1 > f2 ? Peak{x1, f1} : Peak{x2, f2};
   };
   // The mode beyond an end of the coarse pass, if the data contradict the prior: strides grow until the density falls.
   const auto climb = [&](Scalar m, Scalar stride) noexcept {
@@ -183,9 +183,9 @@ Status exact_posterior(const PayloadLikelihood<Scalar>& likelihood, const Payloa
     }
     return sharpen(std::min(m - stride, m + stride), std::max(m - stride, m + stride));
   };
-  std::array<Mode, kCoarse + 2> modes;
+  std::array<Peak, kCoarse + 2> modes;
   std::size_t mode_count = 0, best = 0;
-  const auto add = [&](const Mode& found) noexcept {
+  const auto add = [&](const Peak& found) noexcept {
     modes[mode_count] = found;
     if (found.log_density > modes[best].log_density) best = mode_count;
     ++mode_count;

@@ -26,6 +26,14 @@ struct Proprioception {
   /// Time since the last sample [s], >= 0, if the host measures it: lost samples then count as time that passed. 0
   /// means the nominal period.
   double period = 0;
+  /// Torque that the host really adds to its command for the payload [N m], Dofs x 1, mean over the period that ends
+  /// now. Absent means: what compensation() returned, as it is.
+  std::optional<JointVector<Scalar, Dofs>> compensation = std::nullopt;
+  /// G, the arm's own gravity torque per unit of gravity along each world axis [N m / (m/s^2)], Dofs x 3, payload not
+  /// included: in M ddq + C dq + g(q) = tau + tau_ext, g(q) is G g for gravity g (0, 0, -9.81 on a floor). Column i is
+  /// what a function of the model that computes g(q) returns for gravity along axis i of size 1. It shows how a base
+  /// that is tilted, so that gravity is g + d in truth, shows in tau_ext: as -G d.
+  std::optional<Eigen::Matrix<Scalar, Dofs, 3>> gravity_torque = std::nullopt;
 };
 
 namespace detail {
@@ -59,6 +67,8 @@ Status check_sample(const Proprioception<Scalar, Dofs>& sample) noexcept {
   if (sample.motion && !(plausible(sample.motion->angular_velocity) && plausible(sample.motion->linear_acceleration) &&
                          plausible(sample.motion->angular_acceleration)))
     return Status::NonFiniteInput;
+  if (sample.compensation && !plausible(*sample.compensation)) return Status::NonFiniteInput;
+  if (sample.gravity_torque && !plausible(*sample.gravity_torque)) return Status::NonFiniteInput;
   if (!(sample.period >= 0 && sample.period <= kLargestPlausible)) return Status::NonFiniteInput;
   return detail::is_rotation(sample.rotation) ? Status::Ok : Status::NotARotation;
 }

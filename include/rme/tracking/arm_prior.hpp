@@ -1,22 +1,13 @@
 #pragma once
 /// Priors before the first sample: of an arm's torque errors, and of what it may pick up.
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/tracking/inertial_parameters.hpp>
+#include <rme/tracking/sensing_kind.hpp>
 
 namespace rme {
-
-/// Kinds of torque sensing. The tracker finds out which kind an arm has, and remembers it.
-enum class Sensing : std::uint8_t {
-  LinkSide,       ///< sensed behind the gears: tau_ext contains no joint friction
-  JointFriction,  ///< tau_ext contains joint friction
-  RoughModel,     ///< friction, and large errors of the arm's model: motor currents, heavy gears, quick motion
-};
-inline constexpr std::size_t kSensings = 3;  ///< number of kinds of torque sensing
 
 /// Prior of the joints' noise, offset, residual and friction. An arm's torques grow with the payload that it is made
 /// for, so one number scales them: the defaults are those of a Panda (3 kg) times rated_payload / 3 kg. For the last

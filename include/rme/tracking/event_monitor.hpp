@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <rme/core/types.hpp>
-#include <rme/tracking/hypothesis.hpp>
+#include <rme/tracking/mode.hpp>
 
 namespace rme {
 
@@ -61,12 +61,12 @@ class EventMonitor {
   /// @param now          present time [s], later than `end` by the computation of the block
   /// @param mass         estimated mass after the block [kg]
   /// @param deviation    its standard deviation [kg]
-  void update(const PerHypothesis<Scalar>& probability, double begin, double end, double now, Scalar mass,
+  void update(const PerMode<Scalar>& probability, double begin, double end, double now, Scalar mass,
               Scalar deviation) noexcept {
-    Hypothesis likeliest = Hypothesis::Empty;
-    for (std::size_t i = 1; i < kHypotheses; ++i)
-      if (probability.values[i] > probability[likeliest]) likeliest = static_cast<Hypothesis>(i);
-    const bool empty = likeliest == Hypothesis::Empty, steady = likeliest == Hypothesis::Steady;
+    Mode likeliest = Mode::Empty;
+    for (std::size_t i = 1; i < kModes; ++i)
+      if (probability.values[i] > probability[likeliest]) likeliest = static_cast<Mode>(i);
+    const bool empty = likeliest == Mode::Empty, steady = likeliest == Mode::Held;
     const bool settled = empty || steady;
     if (!changing_) {
       if (settled && empty == was_empty_) {
@@ -81,14 +81,14 @@ class EventMonitor {
       quiet_ = 0;
       exchanged_at_ = -1;
     }
-    if (likeliest == Hypothesis::Exchanged || (settled && empty != was_empty_ && exchanged_at_ < 0)) {
+    if (likeliest == Mode::Changing || (settled && empty != was_empty_ && exchanged_at_ < 0)) {
       exchanged_ = true;
       exchanged_at_ = end;
     }
-    pushed_ = pushed_ || likeliest == Hypothesis::Pushed;
-    filled_ = filled_ || likeliest == Hypothesis::Filling;
+    pushed_ = pushed_ || likeliest == Mode::Disturbed;
+    filled_ = filled_ || likeliest == Mode::Pouring;
     quiet_ = settled ? quiet_ + (end - begin) : 0;
-    const bool known = exchanged_ && likeliest != Hypothesis::Pushed && end - exchanged_at_ > kKnown;
+    const bool known = exchanged_ && likeliest != Mode::Disturbed && end - exchanged_at_ > kKnown;
     if (quiet_ > kQuiet - 1e-9 || known) finish(empty, now, mass, deviation);
   }
   void reset() noexcept { *this = EventMonitor(); }  ///< an empty hand, no event

@@ -5,49 +5,57 @@
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/friction_regime.hpp>
+#include <rme/tracking/sensing_kind.hpp>
 #include <rme/tracking/sensor_noise.hpp>
 #include <rme/tracking/star_gaussian.hpp>
 #include <rme/tracking/torque_block.hpp>
 
 namespace rme {
 
-/// Model of the joints' torque for one kind of torque sensing: the nuisances' prior, their change from block to block,
-/// and their regressor in a block (docs/theory.md, "Friction" and "What counts as unexplained"). observation() has the
-/// regressor (T24) and the noise of dq (T29), predict() the residual (T27). With joint friction, the torque is
+/// Model of the joints' torque for one kind of torque sensing: the prior of what all joints share and of each joint's
+/// nuisances, their change from block to block, and their regressor in a block (docs/theory.md (T24)):
 ///
-///     tau_j = h_j^T phi + offset - d coulomb - dq viscous + residual + s stiction + noise
+///     tau_j = h_j^T x + offset - d coulomb - dq viscous + residual + s stiction + noise
 ///
-/// with d the mean direction of motion and s the share of the block in which the joint rests. A rough model has the
-/// same form, with larger errors. A link-side sensor sees no friction; there the torque is
-///
-///     tau_j = h_j^T phi + offset + lag dtau_ext,j/dt + residual + noise
-///
-/// The lag's regressor is zero until a block has shown that the torque is late (unexplained()). Real time: nothing
-/// allocates.
+/// with d the mean direction of motion and s the share of the block in which the joint rests. What a kind of sensing
+/// does not see has no variance. Real time: nothing allocates.
 template <typename Scalar, int Dofs>
 class JointTorqueModel {
  public:
-  using Star = StarGaussian<Scalar, Dofs>;  ///< state of a filter
+  using Star = StarGaussian<Scalar, Dofs>;   ///< state of a filter
+  using Torque = JointVector<Scalar, Dofs>;  ///< one number per joint
 
-  /// @param sensing      kind of torque sensing
-  /// @param arm          sizes of noise, offset, residual and friction before the first sample
-  /// @param inertia_arm  mean square distance of a payload's centre of mass from the end-effector origin [m^2]
-  JointTorqueModel(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm, Scalar inertia_arm) noexcept
-      : sensing_(sensing), arm_(arm), inertia_arm_(inertia_arm), noise_(sensing, arm) {
-    timing_noise_.setZero();
-    inertia_noise_.setZero();
+  /// @param kind           row of the kind of torque sensing
+  /// @param arm            sizes of noise, offset, residual and friction before the first sample
+  /// @param rated_payload  [kg], > 0
+  /// @param inertia_arm    mean square distance of a payload's centre of mass from the end-effector origin [m^2]
+  /// @param gravity        g [m/s^2], world axes
+  JointTorqueModel(const SensingKind& kind, const ArmPrior<Scalar, Dofs>& arm, Scalar rated_payload, Scalar inertia_arm,
+                   const Vector3<Scalar>& gravity) noexcept
+      : kind_(kind),
+        arm_(arm),
+        rated_(rated_payload),
+        inertia_arm_(inertia_arm),
+        noise_(kind_, arm),
+        gravity_(gravity) {
+    const auto share = static_cast<Scalar>(kind_.friction);
+    arm_.coulomb *= share;
+    arm_.viscous *= share;
   }
 
-  /// The nuisances' prior before the first sample, with an empty hand.
+  /// State before the first sample, with an empty hand.
   Star prior() const noexcept {
     Star star;
+    const auto square = [](double x) { return static_cast<Scalar>(x * x); };
+    Eigen::Matrix<Scalar, kArmShared, 1> shared;
+    shared[kLag] = square(kind_.lag);
+    shared[kTool] = square(kind_.tool) * rated_ * rated_;
+    for (int i = 1; i < 4; ++i) shared[kTool + i] = square(kind_.tool * kToolArm) * rated_ * rated_;
+    shared[kTilt] = shared[kTilt + 1] = square(kTiltSpread);
+    star.set_arm(shared);
     for (int j = 0; j < Dofs; ++j) {
       auto& joint = star.joint(j);
       joint.covariance(kOffset, kOffset) = arm_.offset[j] * arm_.offset[j];
-      if (sensing_ == Sensing::LinkSide) {
-        joint.covariance(kLag, kLag) = Scalar(kLagSpread * kLagSpread);
-        continue;
-      }
       joint.mean[kCoulomb] = arm_.coulomb[j];
       joint.mean[kViscous] = arm_.viscous[j];
       joint.covariance(kCoulomb, kCoulomb) = Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];
@@ -62,7 +70,7 @@ class JointTorqueModel {
   /// @param context  what else is known of it. Unless friction_shows is set, a change of the torque while the arm rests
   ///                 is not taken for a change of friction
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
-             const BlockContext<Scalar>& context = {}) noexcept;
+             const BlockContext<Scalar, Dofs>& context = {}) noexcept;
   /// Time update: changes the nuisances from the last block to this one. To be called before the update with the
   /// block's torque.
   void predict(Star& star) const noexcept;
@@ -71,63 +79,12 @@ class JointTorqueModel {
   /// @param mass  mass of the payload [kg]; the noise of dq makes a noise of its inertia force
   JointObservation<Scalar> observation(int j, Scalar mass) const noexcept;
   /// Variance that a jump of joint j's stiction would add in this block [(N m)^2]: a joint that rests while others move
-  /// may come loose and stick again. 0 if the joint moves, if the whole arm rests, and with link-side sensing.
+  /// may come loose and stick again. 0 if the joint moves, if the whole arm rests, and if the torque shows no friction.
   /// @param star  has the joint's Coulomb friction
   /// @param j     0 .. Dofs - 1
   Scalar stiction_jump(const Star& star, int j) const noexcept {
-    if (sensing_ == Sensing::LinkSide || regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
-    return Scalar(6.25) * stiction_variance(star, j);
-  }
-  /// Whether the lag is one of the nuisances, as it is with link-side sensing.
-  bool learns_lag() const noexcept { return sensing_ == Sensing::LinkSide; }
-  /// Whether this is the model for Sensing::RoughModel.
-  bool rough() const noexcept { return sensing_ == Sensing::RoughModel; }
-  /// Resets the residuals and the stictions to their priors. Until a payload is noticed, these two may absorb its
-  /// torque.
-  void reopen_hiding(Star& star) const noexcept {
-    for (int j = 0; j < Dofs; ++j) {
-      renew(star, j, kResidual, Scalar(0), noise_.residual_variance(j));
-      renew(star, j, kStiction, Scalar(0), stiction_variance(star, j));
-    }
-  }
-  /// After a removal: makes the offsets less certain, if in each joint no more than a tenth of the payload's torque,
-  /// plus five standard deviations, is left. While the payload was held, an error of the torque sensor's gain, 2 % of
-  /// the payload's torque, was taken for offset. At most the offset's prior variance is added.
-  /// @param star   state of Hypothesis::Empty, after predict() for this block
-  /// @param held   phi of the removed payload
-  /// @param share  probability that something was held in the block before, given that the hand is empty in this one
-  void unload(Star& star, const InertialVector<Scalar>& held, Scalar share) const noexcept {
-    using std::abs;
-    using std::sqrt;
-    JointVector<Scalar, Dofs> load = JointVector<Scalar, Dofs>::Zero();
-    for (int j = 0; j < Dofs; ++j) {
-      for (int i = 0; i < kInertial; ++i) load[j] += block_.regressor(j, i) * held[i];
-      const auto p = star.predict(j, observation(j, Scalar(0)));
-      if (!(abs(p.innovation) < Scalar(kGone) * abs(load[j]) + 5 * sqrt(p.variance))) return;
-    }
-    for (int j = 0; j < Dofs; ++j) {
-      const Scalar off = std::min(Scalar(kGain) * abs(load[j]), arm_.offset[j]);
-      star.joint(j).covariance(kOffset, kOffset) += share * off * off;
-    }
-  }
-  /// Decides why a block soon after an exchange is badly explained: because the torque is late, or because something
-  /// pushes. It is late if a lag of 21 ms could make innovations as large as these, at the torque's rate in this block
-  /// or in the block before, whose error the filter has taken for payload. The observer's bandwidth is then not the
-  /// stated one, or the torque is delayed: from the next block on, the lag is learned after each large change.
-  /// @param innovation  e of each joint [N m]
-  /// @param variance    S of each joint [(N m)^2], > 0
-  /// @return whether the torque is late; always false unless learns_lag()
-  bool unexplained(const JointVector<Scalar, Dofs>& innovation, const JointVector<Scalar, Dofs>& variance) noexcept {
-    Scalar left = Scalar(0), lag = Scalar(0);
-    for (int j = 0; j < Dofs; ++j) {
-      const Scalar most = Scalar(kLargestLag) * std::max(std::abs(block_.torque_rate[j]), std::abs(rate_before_[j]));
-      left += innovation[j] * innovation[j] / variance[j];
-      lag += most * most / variance[j];
-    }
-    if (!(learns_lag() && left < lag)) return false;
-    late_ = true;
-    watch_ = Scalar(kWatchLag);
-    return true;
+    if (regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
+    return Scalar(kJump) * stiction_variance(star, j);
   }
   /// Adds the offsets' prior variances to their variances.
   void reopen_offset(Star& star) const noexcept {
@@ -135,26 +92,25 @@ class JointTorqueModel {
   }
 
   /// Learns noise and residual from a block in which nothing happened; parameters as in SensorNoise::learn().
-  void learn(bool empty, const JointVector<Scalar, Dofs>& innovation,
-             const JointVector<Scalar, Dofs>& variance) noexcept {
-    noise_.learn(empty, innovation, variance, block_, regime_);
+  void learn(int payload, const Torque& innovation, const Torque& variance) noexcept {
+    Torque turns;
+    for (int j = 0; j < Dofs; ++j) {
+      const Scalar v = std::abs(block_.velocity[j]), slow = static_cast<Scalar>(kind_.slow);
+      turns[j] = turn_variance(j, slow > 0 ? slow / (v + slow) : Scalar(0));
+    }
+    noise_.learn(payload, innovation, variance, block_, regime_, turns);
   }
   void interrupt() noexcept { noise_.interrupt(); }                           ///< something happened in this block
   const SensorNoise<Scalar, Dofs>& noise() const noexcept { return noise_; }  ///< learned noise and residual
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< the block of the last begin()
+  const SensingKind& kind() const noexcept { return kind_; }                  ///< row of the kind of torque sensing
+  const ArmPrior<Scalar, Dofs>& arm() const noexcept { return arm_; }         ///< with the friction that the kind sees
 
  private:
-  // An observer of 50 rad/s that is in truth half or twice as fast has a lag of 20 or -10 ms.
-  static constexpr double kLagSpread = 0.015;   // prior standard deviation of the lag [s]
-  static constexpr double kLargestLag = 0.021;  // largest lag; a push makes errors as a larger one would [s]
-  static constexpr double kWatchLag = 0.6;      // how long the lag is learned after a large change [s]
-  static constexpr double kGain = 0.02;         // relative error of a torque sensor's gain
-  static constexpr double kGone = 0.1;          // share of the payload's torque that may be left after a removal
-  // For a rough model, as multiples of the residual's variance: stiction; noise of a joint that starts, stops or turns
-  // back; and further noise of such a joint at rest.
-  static constexpr double kRoughStiction = 16;
-  static constexpr double kTurnNoise = 6;
-  static constexpr double kStopNoise = 20;
+  static constexpr double kStictionShare = 0.6;
+  static constexpr double kToolArm = 0.25;     // spread of the tool error's first moment, per kg of its mass [m]
+  static constexpr double kTiltSpread = 0.02;  // of gravity's direction [rad]
+  static constexpr double kJump = 6.25;        // variance of a jump of the stiction, in stiction variances
 
   /// One step of a first-order autoregressive process: nuisance n of joint j is multiplied by `keep`, and noise is
   /// added such that its stationary variance is `variance`.
@@ -162,43 +118,207 @@ class JointTorqueModel {
     auto& joint = star.joint(j);
     auto& V = joint.covariance;
     joint.mean[n] *= keep;
-    for (int i = 0; i < kInertial; ++i) joint.slope(i, n) *= keep;
+    for (int i = 0; i < kShared; ++i) joint.slope(i, n) *= keep;
     for (int i = 0; i < kJointNuisances; ++i) V(i, n) *= keep;
     for (int i = 0; i < kJointNuisances; ++i) V(n, i) *= keep;
     V(n, n) += (Scalar(1) - keep * keep) * variance;
   }
-  void follow_changes(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
-  void follow_compensation(const TorqueBlock<Scalar, Dofs>& block, const BlockContext<Scalar>& context) noexcept;
+  void follow_compensation(const TorqueBlock<Scalar, Dofs>& block, const BlockContext<Scalar, Dofs>& context) noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   /// Stationary variance of the stiction [(N m)^2]. The standard deviation is 0.6 of the prior's Coulomb friction, and
-  /// at most the Coulomb friction that motion has shown; a rough model's has kRoughStiction instead of this bound.
+  /// at most the Coulomb friction that motion has shown; what the kind adds to it is in proportion to the residual.
   Scalar stiction_variance(const Star& star, int j) const noexcept {
-    const Scalar off = Scalar(0.6) * arm_.coulomb[j];
-    if (sensing_ == Sensing::RoughModel) return off * off + Scalar(kRoughStiction) * noise_.residual_variance(j);
+    const Scalar off = Scalar(kStictionShare) * arm_.coulomb[j];
     const Scalar mean = star.nuisance_mean(j)[kCoulomb];
-    return std::min(off * off, mean * mean + star.joint(j).covariance(kCoulomb, kCoulomb));  // E[Coulomb^2]
+    const Scalar shown = mean * mean + star.joint(j).covariance(kCoulomb, kCoulomb);  // E[Coulomb^2]
+    return std::min(off * off, shown) + static_cast<Scalar>(kind_.stiction) * noise_.residual_variance(j);
   }
-  Sensing sensing_;
+  /// Variance of the noise of a joint that starts, stops or turns back [(N m)^2].
+  Scalar turn_variance(int j, Scalar rests) const noexcept {
+    return (static_cast<Scalar>(kind_.turn_noise) + static_cast<Scalar>(kind_.stop_noise) * rests) * turning_[j] *
+           noise_.residual_variance(j) * noise_.turn_scale();
+  }
+  SensingKind kind_;
   ArmPrior<Scalar, Dofs> arm_;
-  Scalar inertia_arm_;
+  Scalar rated_, inertia_arm_;
   SensorNoise<Scalar, Dofs> noise_;
   bool started_ = false, friction_shows_ = false;
-  bool late_ = false;         // a block has shown that the torque is late
-  Scalar watch_ = Scalar(0);  // how long the lag will still be learned [s]
   TorqueBlock<Scalar, Dofs> block_;
   FrictionRegime<Scalar, Dofs> regime_;
-  JointVector<Scalar, Dofs> rate_before_ = JointVector<Scalar, Dofs>::Zero();  // last block's torque_rate [N m/s]
   // How far friction has turned over in this block, and the decaying maximum of that (turn()).
-  JointVector<Scalar, Dofs> turned_ = JointVector<Scalar, Dofs>::Zero(), turning_ = JointVector<Scalar, Dofs>::Zero();
+  Torque turned_ = Torque::Zero(), turning_ = Torque::Zero();
   // Per joint [N m]: average of the torque over the last 0.08 s; change of the motor's torque in this block
   // (follow_torque(), follow_compensation()); changes of the compensation that tau_ext does not show yet.
-  JointVector<Scalar, Dofs> recent_torque_ = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> torque_change_ = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> pending_ = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> timing_noise_, inertia_noise_;  // variances [(N m)^2], [(N m / kg)^2]
+  Torque recent_torque_ = Torque::Zero(), torque_change_ = Torque::Zero(), pending_ = Torque::Zero();
+  Vector3<Scalar> gravity_;
+  Eigen::Matrix<Scalar, Dofs, 2> tilt_ = Eigen::Matrix<Scalar, Dofs, 2>::Zero();  // d tau / d tilt [N m/rad]
+  Torque timing_noise_ = Torque::Zero(), inertia_noise_ = Torque::Zero();         // variances [(N m)^2], [(N m / kg)^2]
 };
 
-}  // namespace rme
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
+                                           const FrictionRegime<Scalar, Dofs>& regime,
+                                           const BlockContext<Scalar, Dofs>& context) noexcept {
+  constexpr double kCorrelated = 2.5;
+  constexpr double kTiming = 0.0006;   // standard deviation of the torque's timing error [s]
+  constexpr double kSteps = 8.0 / 12;  // variance of a rounding error, 1 / 12, times the blocks that it may last
+  // Torque and motion may be a millisecond apart. And if the observer's bandwidth is not quite the stated one, its
+  // inversion leaves a share of every change of the torque.
+  const Scalar share = Scalar(kTiming) / block.duration;
+  for (int j = 0; j < Dofs; ++j) {
+    const Scalar change = started_ ? share * (block.tau[j] - block_.tau[j]) : Scalar(0), step = block.torque_step[j];
+    // A quantised torque is constant between two steps, so its rounding error stays the same for many blocks.
+    timing_noise_[j] = change * change + Scalar(kSteps) * step * step;
+  }
+  noise_.watch(block, timing_noise_);
+  follow_torque(block);
+  follow_compensation(block, context);
+  turn(block);
+  started_ = true;
+  // The error of the flange's acceleration makes an error of the payload's inertia force and moment (T29). The payload's
+  // distance from the flange is the prior's, inertia_arm_. The joints' errors have one cause, which the filter neglects:
+  // kCorrelated makes up for that.
+  const Scalar linear = Scalar(kCorrelated) * block.acceleration_variance;
+  const Scalar angular = Scalar(kCorrelated) * block.angular_acceleration_variance;
+  for (int j = 0; j < Dofs; ++j) {
+    Scalar lever = Scalar(0), turn = Scalar(0);  // squared norms of the columns of J_v and J_w
+    for (int axis = 0; axis < 3; ++axis) {
+      lever += block.jacobian(axis, j) * block.jacobian(axis, j);
+      turn += block.jacobian(3 + axis, j) * block.jacobian(3 + axis, j);
+    }
+    inertia_noise_[j] = linear * lever + (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) * turn;
+  }
+  tilt_.setZero();
+  if (block.gravity_torque) {  // two axes across gravity; turning gravity by a small angle about e adds e x g to it
+    const Vector3<Scalar> g = gravity_;
+    const int least = std::abs(g[0]) < std::abs(g[2]) ? 0 : 2;
+    Vector3<Scalar> first = g.cross(Vector3<Scalar>::Unit(least));
+    first /= std::sqrt(detail::dot(first, first));
+    const Vector3<Scalar> second = g.cross(first) / std::sqrt(detail::dot(g, g));
+    const Vector3<Scalar> along[2] = {first.cross(g), second.cross(g)};
+    for (int j = 0; j < Dofs; ++j)
+      for (int k = 0; k < 2; ++k)
+        for (int axis = 0; axis < 3; ++axis) tilt_(j, k) -= (*block.gravity_torque)(j, axis) * along[k][axis];
+  }
+  block_ = block;
+  regime_ = regime;
+  friction_shows_ = context.friction_shows;
+}
 
-#include <rme/tracking/detail/joint_torque_model_impl.hpp>
+/// The friction of a resting joint balances all other torques: it changes when the motor's torque changes, and tau_ext
+/// shows this change. The change per block is computed as for a ramp, from the difference between the torque and its
+/// average over 0.08 s, less what noise may cause. So slow changes are noticed as well as sudden ones.
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept {
+  using std::abs;
+  using std::sqrt;
+  constexpr double kMemory = 0.08;  // time constant of the average [s]
+  constexpr double kNoise = 1.5;    // standard deviations of a block's noise: nearly two of the difference's noise
+  if (!started_) recent_torque_ = block.tau;
+  const Scalar keep = Scalar(kMemory) / (Scalar(kMemory) + block.duration);
+  for (int j = 0; j < Dofs; ++j) {
+    recent_torque_[j] = keep * recent_torque_[j] + (Scalar(1) - keep) * block.tau[j];
+    const Scalar ahead = abs(block.tau[j] - recent_torque_[j]) - Scalar(kNoise) * sqrt(noise_.variance(j));
+    torque_change_[j] = std::max(Scalar(0), ahead * (Scalar(1) - keep) / keep);
+  }
+}
+
+/// If friction holds a joint, its torque changes by as much as the compensation does, whatever the hand holds. So the
+/// joint seems to confirm any compensation. Slow changes of the compensation are lost in the noise of the torque, but
+/// they are known.
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::follow_compensation(const TorqueBlock<Scalar, Dofs>& block,
+                                                         const BlockContext<Scalar, Dofs>& context) noexcept {
+  using std::abs;
+  using std::exp;
+  constexpr double kDelay = 0.04;  // time constant until tau_ext shows a new compensation: drive, arm, observer [s]
+  const Scalar keep = exp(-block.duration / Scalar(kDelay));
+  for (int j = 0; j < Dofs; ++j) {
+    pending_[j] += abs(context.compensation_change[j]);
+    if (context.friction_shows) torque_change_[j] += (Scalar(1) - keep) * pending_[j];
+    pending_[j] *= keep;
+  }
+}
+
+/// Computes how far each joint's friction has turned over since the last block: the change of v / (|v| + kTurns), which
+/// is 1 from rest to fast motion and 2 for a reversal.
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::turn(const TorqueBlock<Scalar, Dofs>& block) noexcept {
+  using std::abs;
+  using std::exp;
+  constexpr double kTurns = 0.05;    // [rad/s]
+  constexpr double kTurnTime = 0.2;  // time constant with which friction settles again [s]
+  if (!started_) return;
+  const Scalar keep = exp(-block.duration / Scalar(kTurnTime));
+  for (int j = 0; j < Dofs; ++j) {
+    const auto direction = [](Scalar velocity) { return velocity / (abs(velocity) + Scalar(kTurns)); };
+    turned_[j] = abs(direction(block.velocity[j]) - direction(block_.velocity[j]));
+    turning_[j] = std::max(std::min(Scalar(1), turned_[j]), keep * turning_[j]);
+  }
+}
+
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
+  using std::exp;
+  constexpr double kOffsetDrift = 2e-4;    // random walk of an offset per block, times the joint's scale [N m]
+  constexpr double kFrictionDrift = 1e-4;  // random walk of friction per block, as a share of the prior's friction
+  // The residual is a function of the pose: an Ornstein-Uhlenbeck process over the distance that the joints move (T27).
+  const Scalar way = block_.velocity.norm() * block_.duration;
+  const Scalar keep = exp(-way / static_cast<Scalar>(kind_.way));
+  const Scalar hold =
+      exp(-block_.duration * static_cast<Scalar>(regime_.arm_moves() ? kind_.creep : kind_.creep_at_rest));
+  for (int j = 0; j < Dofs; ++j) {
+    auto& joint = star.joint(j);
+    auto& V = joint.covariance;
+    const Scalar turned = static_cast<Scalar>(kind_.turn) * turned_[j];
+    renew(star, j, kResidual, keep * exp(-turned), noise_.residual_variance(j));
+    const Scalar drift = Scalar(kOffsetDrift) * arm_.residual[j];
+    V(kOffset, kOffset) += drift * drift;
+    if (!(kind_.friction > 0)) continue;
+    const Scalar coulomb_drift = Scalar(kFrictionDrift) * arm_.coulomb[j];
+    const Scalar viscous_drift = Scalar(kFrictionDrift) * arm_.viscous[j];
+    V(kCoulomb, kCoulomb) += coulomb_drift * coulomb_drift;
+    V(kViscous, kViscous) += viscous_drift * viscous_drift;
+    if (kind_.slow > 0) {  // after each stop, friction holds the joint with another torque, which creeps
+      renew(star, j, kStiction, hold * exp(Scalar(-0.5) * turned), stiction_variance(star, j));
+      continue;
+    }
+    const JointFriction<Scalar>& friction = regime_.joint(j);
+    if (friction.stops) {  // friction keeps about the torque that it had when the joint stopped
+      const Scalar d = Scalar(-0.95) * friction.last_direction;
+      joint.mean[kStiction] = d * joint.mean[kCoulomb];
+      for (int i = 0; i < kShared; ++i) joint.slope(i, kStiction) = d * joint.slope(i, kCoulomb);
+      for (int i = 0; i < kJointNuisances; ++i)
+        if (i != kStiction) V(kStiction, i) = V(i, kStiction) = d * V(kCoulomb, i);
+      const Scalar off = Scalar(0.15) * joint.mean[kCoulomb];
+      V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
+    } else if (regime_.rests(j)) {
+      const Scalar change = regime_.arm_moves() || friction_shows_ ? torque_change_[j] : Scalar(0);
+      renew(star, j, kStiction, hold * exp(-change / (Scalar(4) * arm_.coulomb[j])), stiction_variance(star, j));
+    }
+  }
+}
+
+template <typename Scalar, int Dofs>
+JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scalar mass) const noexcept {
+  using std::abs;
+  JointObservation<Scalar> o;
+  o.torque = block_.tau[j];
+  o.h[kLag] = block_.torque_rate[j];
+  for (int i = 0; i < 4; ++i) o.h[kTool + i] = block_.regressor(j, i);
+  for (int i = 0; i < 2; ++i) o.h[kTilt + i] = tilt_(j, i);
+  for (int i = 0; i < kInertial; ++i) o.h[kPayload + i] = block_.regressor(j, i);
+  o.noise = noise_.variance(j) + timing_noise_[j] + mass * mass * inertia_noise_[j];
+  const JointFriction<Scalar>& friction = regime_.joint(j);
+  const Scalar v = block_.velocity[j], slow = static_cast<Scalar>(kind_.slow);
+  const Scalar d = slow > 0 ? v / (abs(v) + slow) : friction.direction;
+  const Scalar rests = slow > 0 ? Scalar(1) - abs(d) : friction.resting;
+  o.c << 1, -d, -v, 1, rests;
+  o.noise += turn_variance(j, rests);
+  // It is not known when in the block the joint started, stopped or turned back.
+  if (!(slow > 0) && !friction.steady()) o.noise += Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];
+  return o;
+}
+
+}  // namespace rme

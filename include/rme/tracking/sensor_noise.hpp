@@ -7,6 +7,7 @@
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/friction_regime.hpp>
+#include <rme/tracking/sensing_kind.hpp>
 #include <rme/tracking/torque_block.hpp>
 
 namespace rme {
@@ -33,13 +34,10 @@ class SensorNoise {
  public:
   using Vector = JointVector<Scalar, Dofs>;  ///< one number per joint
 
-  /// @param sensing  kind of torque sensing; determines the first value and the bounds of the residual
-  /// @param arm      first value of the noise, and scale of each joint
-  SensorNoise(Sensing sensing, const ArmPrior<Scalar, Dofs>& arm) noexcept
-      : rough_(sensing == Sensing::RoughModel),
-        share_(arm.residual),
-        range_(kResidual[static_cast<std::size_t>(sensing)]),
-        residual_(Vector::Constant(static_cast<Scalar>(range_.first))) {
+  /// @param kind  row of the kind of torque sensing: first value and bounds of the residual, and how it is learned
+  /// @param arm   first value of the noise, and scale of each joint
+  SensorNoise(const SensingKind& kind, const ArmPrior<Scalar, Dofs>& arm) noexcept
+      : kind_(kind), share_(arm.residual), residual_(Vector::Constant(static_cast<Scalar>(kind.residual))) {
     for (int j = 0; j < Dofs; ++j) {
       const Scalar least = Scalar(kLeastNoise) * arm.residual[j];
       variance_[j] = arm.noise[j] * arm.noise[j];
@@ -56,15 +54,17 @@ class SensorNoise {
     return s * s;
   }
 
+  /// Size of the noise of joints that turn over, relative to the kind's.
+  Scalar turn_scale() const noexcept { return turn_scale_; }
+
   /// s^2 of docs/theory.md (T28): variance of the error of a link's first moment in the arm's model [(kg m)^2],
   /// inferred from the residuals of all joints. However long the arm moves, this error of the link that carries the
   /// payload cannot be distinguished from the payload's first moment. 0 for a rough model, whose covariance Tracker
   /// increases in another way.
   Scalar first_moment_variance() const noexcept {
-    if (rough_) return Scalar(0);
     Scalar sum = Scalar(0), scale = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
-      sum += residual_[j] * residual_[j] - static_cast<Scalar>(range_.least * range_.least);
+      sum += residual_[j] * residual_[j] - static_cast<Scalar>(kind_.least_residual * kind_.least_residual);
       scale = std::max(scale, share_[j] / Scalar(kGravity));
     }
     return scale * scale * sum / Scalar(Dofs);
@@ -90,20 +90,23 @@ class SensorNoise {
   }
 
   /// Learns from a block in which almost certainly nothing happened.
-  /// @param empty       true if the innovations are of Hypothesis::Empty, false if they are of Steady. Innovations of
-  ///                    different hypotheses are not subtracted from each other
+  /// @param payload     which payload the innovations are for; those for different ones are not subtracted from each
+  ///                    other
   /// @param innovation  e of each joint [N m]
   /// @param variance    S of each joint [(N m)^2], > 0
   /// @param block       the block
   /// @param regime      which joints rest in it
-  void learn(bool empty, const Vector& innovation, const Vector& variance, const TorqueBlock<Scalar, Dofs>& block,
-             const FrictionRegime<Scalar, Dofs>& regime) noexcept {
+  /// @param turns       part of the variance that is due to joints turning over [(N m)^2]
+  void learn(int payload, const Vector& innovation, const Vector& variance, const TorqueBlock<Scalar, Dofs>& block,
+             const FrictionRegime<Scalar, Dofs>& regime, const Vector& turns) noexcept {
+    using std::exp;
     using std::sqrt;
-    if (empty != was_empty_) interrupt();
-    was_empty_ = empty;
+    Scalar turn_evidence = Scalar(0);
+    if (payload != last_payload_) interrupt();
+    last_payload_ = payload;
     const Scalar way = block.velocity.norm() * block.duration;
     const Scalar weight = std::min(Scalar(1), way / Scalar(kFullWay));
-    const Scalar keep = static_cast<Scalar>(rough_ ? kRoughKeep : kKeep);
+    const Scalar keep = static_cast<Scalar>(kind_.memory);
     const Scalar add = sqrt(Scalar(1) - keep * keep);  // the average of white innovations has variance 1
     Vector evidence;
     for (int j = 0; j < Dofs; ++j) {
@@ -120,11 +123,14 @@ class SensorNoise {
       usable_[k] = steady;
       const Scalar white = std::max(Scalar(-3), std::min(Scalar(3), innovation[j] / sqrt(variance[j])));
       evidence[j] = white * average_[j];
-      if (rough_)
-        evidence[j] += Scalar(kShare) * std::max(Scalar(0), 1 - variance_[j] / variance[j]) * (white * white - 1);
+      turn_evidence += turns[j] / variance[j] * (white * white - 1);
+      evidence[j] +=
+          static_cast<Scalar>(kind_.size) * std::max(Scalar(0), 1 - variance_[j] / variance[j]) * (white * white - 1);
       average_[j] = keep * average_[j] + add * white;
     }
     learn_residual(evidence, weight);
+    turn_scale_ *= exp(Scalar(0.5 * kStep) * std::max(Scalar(-6), std::min(Scalar(6), turn_evidence)));
+    turn_scale_ = std::max(Scalar(0.01), std::min(Scalar(10), turn_scale_));
   }
   /// To be called after a block that is not learned from: the next innovation has no predecessor.
   void interrupt() noexcept { usable_.fill(false); }
@@ -134,54 +140,40 @@ class SensorNoise {
   /// @param weight    of the block, 0 to 1
   void learn_residual(const Vector& evidence, Scalar weight) noexcept {
     using std::exp;
-    if (!rough_) motion_ = std::min(motion_ + weight, Scalar(kMotion));
-    const Scalar pace = rough_ ? Scalar(1) : std::min(Scalar(1), Scalar(kNew) / motion_);
-    const Scalar all = evidence.sum();
+    const auto settles = static_cast<Scalar>(kind_.settles);
+    motion_ = std::min(motion_ + weight, 10 * settles);
+    const Scalar pace = std::min(Scalar(1), settles / motion_);
+    const Scalar all = static_cast<Scalar>(kind_.common) * evidence.sum();
     for (int j = 0; j < Dofs; ++j) {
-      Scalar e = (rough_ ? all : Scalar(kOwn) * evidence[j]) * weight;
+      Scalar e = (all + static_cast<Scalar>(kind_.own) * evidence[j]) * weight;
       e = std::max(Scalar(-6), std::min(Scalar(6), e)) * pace;
       residual_[j] *= exp(Scalar(0.5 * kStep) * e);
-      residual_[j] =
-          std::max(static_cast<Scalar>(range_.least), std::min(static_cast<Scalar>(range_.largest), residual_[j]));
+      residual_[j] = std::max(static_cast<Scalar>(kind_.least_residual),
+                              std::min(static_cast<Scalar>(kind_.largest_residual), residual_[j]));
     }
   }
 
   // Smallest standard deviation of the noise, times the joint's scale [N m]. A sensor that shows less is not switched
   // on yet, and will be noisier.
   static constexpr double kLeastNoise = 0.008;
-  /// First value and bounds of the residual's standard deviation, times the joint's scale [N m].
-  struct Range {
-    double first, least, largest;
-  };
-  // No rigid-body model is better than `least`, whatever a few seconds of motion show. Link side and joint friction
-  // have the same range. Otherwise, on an arm without a residual, the kind with the smaller one would win, whether
-  // there is friction or not. With a larger bound, a link-side arm's residual could absorb friction, as a bad friction
-  // model.
-  static constexpr Range kResidual[kSensings] = {{0.015, 0.005, 0.1}, {0.015, 0.005, 0.1}, {0.3, 0.1, 4}};
   static constexpr double kPriorBlocks = 5;  // number of blocks for which the noise's prior counts
   static constexpr double kWatch = 25;       // memory of watch() in blocks: 0.5 s
   static constexpr double kNoisier = 4;      // times the noise variance: an hour of events and white noise stays below
   static constexpr double kMost = 9;         // times the noise variance, bound of one product: one event is not enough
   static constexpr double kMemory = 500;     // memory of the noise in blocks: 10 s
   static constexpr double kFullWay = 0.002;  // motion in a block from which it has full weight [rad]: 0.1 rad/s
-  static constexpr double kOwn = 4;          // factor of a joint's evidence; a rough model has the sum over all joints
   static constexpr double kStep = 0.05;      // change of the log variance per unit of evidence, at first
-  static constexpr double kNew = 100;        // blocks of motion after which the residual is learned more slowly: 2 s
-  static constexpr double kMotion = 1000;    // blocks of motion from which the rate stays: 20 s, a tenth of the rate
-  static constexpr double kKeep = 0.96;      // factor per block of the average of innovations: half a second
-  static constexpr double kRoughKeep = 0.9;  // the same for a rough model: 0.2 s
-  static constexpr double kShare = 0.5;      // weight of the innovations' size in the evidence of a rough model
   static constexpr double kGravity = 9.81;   // [m/s^2]
 
-  bool rough_;
+  SensingKind kind_;
   Vector share_, variance_, floor_, blocks_;
   Vector last_ = Vector::Zero(), average_ = Vector::Zero();
   Vector torque_ = Vector::Zero(), slope_ = Vector::Zero(), bend_ = Vector::Zero(), zigzag_ = Vector::Zero();
   std::array<bool, static_cast<std::size_t>(Dofs)> usable_{};
-  Range range_;
-  Vector residual_;            // standard deviation, times the joint's scale [N m]
-  Scalar motion_ = Scalar(1);  // blocks of motion, at most kMotion
-  bool was_empty_ = true;
+  Vector residual_;  // standard deviation, times the joint's scale [N m]
+  Scalar turn_scale_ = Scalar(1);
+  Scalar motion_ = Scalar(1);  // blocks of motion, at most 10 kind_.settles
+  int last_payload_ = 0;
 };
 
 }  // namespace rme

@@ -1,5 +1,5 @@
 #pragma once
-/// The Gaussian state of one filter: a payload's inertial parameters, and the nuisances of each joint's torque.
+/// The Gaussian state of one filter: what all joints share, and the nuisances of each joint's torque.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,14 +10,25 @@
 
 namespace rme {
 
-/// What a joint's torque contains in addition to the payload's torque. Nuisance vectors have this order.
+/// What all joints share, x: first what belongs to the arm, last the payload's phi. Each is the index of a first entry.
+enum Shared : int {
+  kLag = 0,      ///< lag of the torque beyond the stated observer [s]
+  kTool = 1,     ///< mass and first moment that the robot's own model lacks at the last link, 4 entries [kg, kg m]
+  kTilt = 5,     ///< error of gravity's direction: rotation about two axes across gravity, 2 entries [rad]
+  kPayload = 7,  ///< phi of the payload, 10 entries
+};
+inline constexpr int kArmShared = kPayload;             ///< number of shared unknowns of an empty hand
+inline constexpr int kShared = kArmShared + kInertial;  ///< number of shared unknowns
+template <typename Scalar>
+using SharedVector = Eigen::Matrix<Scalar, kShared, 1>;  ///< x, in the order of Shared
+template <typename Scalar>
+using SharedMatrix = Eigen::Matrix<Scalar, kShared, kShared>;  ///< covariance of x, or a factor of it
+
+/// What a joint's torque contains of its own. Nuisance vectors have this order.
 enum Nuisance : int {
-  kOffset,   ///< offset of the torque sensor [N m]
-  kCoulomb,  ///< Coulomb friction of a moving joint, against its motion [N m]
-  kViscous,  ///< viscous friction [N m s/rad]
-  /// In place of viscous friction with link-side sensing, which sees none: lag of the torque [s]. The torque minus lag
-  /// times its rate is in time with the motion.
-  kLag = kViscous,
+  kOffset,    ///< offset of the torque sensor [N m]
+  kCoulomb,   ///< Coulomb friction of a moving joint, against its motion [N m]
+  kViscous,   ///< viscous friction [N m s/rad]
   kResidual,  ///< error of the arm's rigid-body model; changes as the arm moves [N m]
   kStiction,  ///< friction torque of a resting joint [N m]
 };
@@ -28,70 +39,76 @@ using JointNuisanceVector = Eigen::Matrix<Scalar, kJointNuisances, 1>;  ///< bet
 template <typename Scalar>
 using JointNuisanceMatrix = Eigen::Matrix<Scalar, kJointNuisances, kJointNuisances>;  ///< covariance of beta_j
 
-/// Measurement of one joint's torque, averaged over a block of samples (docs/theory.md (T14)): y = h^T phi + c^T beta_j
+/// Measurement of one joint's torque, averaged over a block of samples (docs/theory.md (T14)): y = h^T x + c^T beta_j
 /// + noise.
 template <typename Scalar>
 struct JointObservation {
   Scalar torque;                  ///< y [N m]
-  InertialVector<Scalar> h;       ///< regressor of phi
+  SharedVector<Scalar> h;         ///< regressor of x
   JointNuisanceVector<Scalar> c;  ///< regressor of the joint's nuisances
   Scalar noise;                   ///< variance of the noise [(N m)^2], > 0
 };
 
-/// Gaussian over phi and the joints' nuisances beta_1 .. beta_n. It has the form of a star: given phi, the joints are
+/// Gaussian over x and the joints' nuisances beta_1 .. beta_n. It has the form of a star: given x, the joints are
 /// independent (docs/theory.md (T15)),
 ///
-///     phi ~ N(mean, F F^T),   beta_j | phi ~ N(b_j + B_j phi, V_j)
+///     x ~ N(mean, F F^T),   beta_j | x ~ N(b_j + B_j x, V_j)
 ///
-/// A joint's torque depends only on phi and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
-/// cost of a dense covariance. replace_payload(), diffuse() and mix() would couple the joints. Each of them gives the
-/// nearest star instead, which has the right mean and covariance of every pair (phi, beta_j) (docs/theory.md, "The
-/// star").
+/// A joint's torque depends only on x and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
+/// cost of a dense covariance. forget_payload() and drift() would couple the joints. Each of them gives the nearest
+/// star instead, which has the right mean and covariance of every pair (x, beta_j) (docs/theory.md, "The star").
 ///
-/// F is a square root of the covariance of phi, and is updated as such (Potter's form: Maybeck, Stochastic Models,
-/// Estimation, and Control 1, 7.3). So rounding cannot make the covariance indefinite, even in float. Initially the
-/// hand is empty and all nuisances are zero. Real time: no call allocates.
+/// F is a square root of the covariance of x, and is updated as such (Potter's form: Maybeck, Stochastic Models,
+/// Estimation, and Control 1, 7.3). So rounding cannot make the covariance indefinite, even in float. An empty hand has
+/// no phi: its rows are zero and cost nothing. Initially the hand is empty and everything is zero. Real time: no call
+/// allocates.
 template <typename Scalar, int Dofs>
 class StarGaussian {
  public:
-  using Phi = InertialVector<Scalar>;                               ///< 10x1
-  using PhiMatrix = InertialMatrix<Scalar>;                         ///< 10x10
-  using Beta = JointNuisanceVector<Scalar>;                         ///< 5x1
-  using BetaMatrix = JointNuisanceMatrix<Scalar>;                   ///< 5x5
-  using Slope = Eigen::Matrix<Scalar, kInertial, kJointNuisances>;  ///< 10x5
-  /// Gaussian of beta_j given phi.
+  using X = SharedVector<Scalar>;                                 ///< 17x1
+  using XMatrix = SharedMatrix<Scalar>;                           ///< 17x17
+  using Beta = JointNuisanceVector<Scalar>;                       ///< 5x1
+  using BetaMatrix = JointNuisanceMatrix<Scalar>;                 ///< 5x5
+  using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 17x5
+  using Cross = Eigen::Matrix<Scalar, kShared, 4>;                ///< covariance of x and four other unknowns
+  /// Gaussian of beta_j given x.
   struct Joint {
     Beta mean = Beta::Zero();                    ///< b_j
     Slope slope = Slope::Zero();                 ///< B_j^T
     BetaMatrix covariance = BetaMatrix::Zero();  ///< V_j
   };
 
-  const Phi& mean() const noexcept { return mean_; }  ///< of phi
-  /// Covariance of phi, F F^T.
-  PhiMatrix covariance() const noexcept { return detail::outer_square(factor_); }
-  /// Variance of the mass [kg^2].
-  Scalar mass_variance() const noexcept {
+  bool empty() const noexcept { return size_ == kArmShared; }  ///< whether the hand is empty for certain
+  const X& mean() const noexcept { return mean_; }             ///< of x
+  XMatrix covariance() const noexcept { return detail::outer_square(factor_); }  ///< of x, F F^T
+  Scalar mass() const noexcept { return mean_[kPayload]; }                       ///< mean of the payload's mass [kg]
+  /// Variance of entry i of x.
+  Scalar variance(int i) const noexcept {
     Scalar sum = Scalar(0);
-    for (int k = 0; k < kInertial; ++k) sum += factor_(0, k) * factor_(0, k);
+    for (int k = 0; k < size_; ++k) sum += factor_(i, k) * factor_(i, k);
     return sum;
   }
-  /// Gaussian of beta_j given phi, j from 0 to Dofs - 1.
+  /// Gaussian of beta_j given x, j from 0 to Dofs - 1.
   Joint& joint(int j) noexcept { return joints_[static_cast<std::size_t>(j)]; }
-  /// Gaussian of beta_j given phi, j from 0 to Dofs - 1.
+  /// Gaussian of beta_j given x, j from 0 to Dofs - 1.
   const Joint& joint(int j) const noexcept { return joints_[static_cast<std::size_t>(j)]; }
   /// Marginal mean of beta_j.
   Beta nuisance_mean(int j) const noexcept {
     Beta mean = joint(j).mean;
-    if (!empty_) mean += detail::transposed_product(joint(j).slope, mean_);
+    mean += detail::transposed_product(joint(j).slope, mean_);
     return mean;
   }
   /// Marginal covariance of beta_j.
   BetaMatrix nuisance_covariance(int j) const noexcept {
     BetaMatrix V = joint(j).covariance;
-    if (empty_) return V;
     const Slope spread = detail::transposed_product(factor_, joint(j).slope);
     V += detail::transposed_product(spread, spread);
     return V;
+  }
+  /// Sets the variance of the arm's shared unknowns, which are independent at first.
+  void set_arm(const Eigen::Matrix<Scalar, kArmShared, 1>& variance) noexcept {
+    using std::sqrt;
+    for (int i = 0; i < kArmShared; ++i) factor_(i, i) = sqrt(variance[i]);
   }
 
   /// Whether all numbers are finite. Input that no real arm reports may overflow, above all in float.
@@ -106,9 +123,9 @@ class StarGaussian {
   struct Prediction {
     Scalar innovation;         ///< e = y - E[y] [N m]
     Scalar variance;           ///< S, the variance of e [(N m)^2]
-    Scalar given_payload;      ///< v, the variance of y for a known phi, noise included [(N m)^2]
-    Phi gain_row;              ///< u = h + B_j^T c: how y depends on phi, directly and through beta_j
-    Phi spread;                ///< F^T u
+    Scalar given_shared;       ///< v, the variance of y for a known x, noise included [(N m)^2]
+    X gain_row;                ///< u = h + B_j^T c: how y depends on x, directly and through beta_j
+    X spread;                  ///< F^T u
     Beta nuisance_spread;      ///< V_j c
     Scalar conditional_error;  ///< y - c^T b_j
   };
@@ -118,105 +135,134 @@ class StarGaussian {
   Prediction predict(int j, const JointObservation<Scalar>& o) const noexcept {
     const Joint& joint = this->joint(j);
     Prediction p;
-    p.gain_row = o.h;
-    if (empty_) {
-      p.spread.setZero();
-    } else {
-      p.gain_row += detail::product(joint.slope, o.c);
-      p.spread = detail::transposed_product(factor_, p.gain_row);
-    }
     p.nuisance_spread = detail::product(joint.covariance, o.c);
-    p.given_payload = detail::dot(o.c, p.nuisance_spread) + o.noise;
-    p.variance = detail::dot(p.spread, p.spread) + p.given_payload;
+    p.given_shared = detail::dot(o.c, p.nuisance_spread) + o.noise;
     p.conditional_error = o.torque - detail::dot(o.c, joint.mean);
-    p.innovation = p.conditional_error - detail::dot(p.gain_row, mean_);
+    if (empty())
+      predict_shared<kArmShared>(joint, o, p);
+    else
+      predict_shared<kShared>(joint, o, p);
     return p;
   }
   /// Updates the state with an observation (docs/theory.md (T17, T18)).
   /// @param j  0 .. Dofs - 1
   /// @param p  predict() of this observation, for the same j and the present state
   void observe(int j, const Prediction& p) noexcept {
-    using std::sqrt;
+    if (empty())
+      observe_shared<kArmShared>(j, p);
+    else
+      observe_shared<kShared>(j, p);
+    observe_nuisances(j, p);
+  }
+  /// Updates only the nuisances of joint j, given x; x keeps its distribution (Schmidt's filter; docs/theory.md (T18)).
+  void observe_nuisances(int j, const Prediction& p) noexcept {
     Joint& joint = this->joint(j);
-    const Beta minus_gain = detail::scaled(Scalar(-1) / p.given_payload, p.nuisance_spread);
-    if (!empty_) {
-      const Phi covariance_row = detail::product(factor_, p.spread);
-      detail::add_scaled(mean_, p.innovation / p.variance, covariance_row);
-      const Scalar shrink = Scalar(1) / (p.variance * (Scalar(1) + sqrt(p.given_payload / p.variance)));
-      detail::add_outer(factor_, detail::scaled(-shrink, covariance_row), p.spread);
-      detail::add_outer(joint.slope, p.gain_row, minus_gain);
-    }
+    const Beta minus_gain = detail::scaled(Scalar(-1) / p.given_shared, p.nuisance_spread);
+    for (int i = 0; i < kJointNuisances; ++i)
+      for (int k = 0; k < size_; ++k) joint.slope(k, i) += p.gain_row[k] * minus_gain[i];
     detail::add_scaled(joint.mean, -p.conditional_error, minus_gain);
     detail::add_outer(joint.covariance, minus_gain, p.nuisance_spread);
   }
+  /// cov(x, y) = F F^T u of an observation.
+  X covariance_row(const Prediction& p) const noexcept { return detail::product(factor_, p.spread); }
 
-  /// Replaces the distribution of phi by N(mean, factor factor^T). Each beta_j keeps its marginal distribution and is
-  /// independent of phi afterwards.
-  void replace_payload(const Phi& mean, const PhiMatrix& factor) noexcept {
-    for (int j = 0; j < Dofs; ++j) {
-      Joint& joint = this->joint(j);
-      if (!empty_) {
-        joint.mean = nuisance_mean(j);
-        joint.covariance = nuisance_covariance(j);
+  /// Marginalises the payload: the hand is empty afterwards, and everything else keeps its marginal distribution.
+  void forget_payload() noexcept {
+    if (empty()) return;
+    XMatrix arm = covariance();
+    for (int i = 0; i < kShared; ++i)
+      for (int k = 0; k < kShared; ++k)
+        if (i >= kArmShared || k >= kArmShared) arm(i, k) = Scalar(0);
+    X mean = mean_;
+    for (int i = kArmShared; i < kShared; ++i) mean[i] = Scalar(0);
+    restate(mean, arm, [](const Slope& cross, const Slope&) {
+      Slope kept = cross;
+      for (int i = 0; i < kJointNuisances; ++i)
+        for (int k = kArmShared; k < kShared; ++k) kept(k, i) = Scalar(0);
+      return kept;
+    });
+    size_ = kArmShared;
+  }
+  /// Puts a payload phi ~ N(mean, factor factor^T), independent of everything else, in place of the present one.
+  void draw_payload(const InertialVector<Scalar>& mean, const InertialMatrix<Scalar>& factor) noexcept {
+    forget_payload();
+    for (int i = 0; i < kInertial; ++i) {
+      mean_[kPayload + i] = mean[i];
+      for (int k = 0; k < kInertial; ++k) factor_(kPayload + i, kPayload + k) = factor(i, k);
+    }
+    size_ = kShared;
+  }
+  /// Counts the payload as part of the tool. The hand is empty afterwards.
+  void payload_is_tool() noexcept {
+    if (empty()) return;
+    for (int i = 0; i < 4; ++i) {
+      mean_[kTool + i] += mean_[kPayload + i];
+      for (int k = 0; k < kShared; ++k) factor_(kTool + i, k) += factor_(kPayload + i, k);
+      // beta depends on x as before; in the new x, the payload is what is left of it beside the tool.
+      for (Joint& joint : joints_)
+        for (int n = 0; n < kJointNuisances; ++n) joint.slope(kPayload + i, n) -= joint.slope(kTool + i, n);
+    }
+    forget_payload();
+  }
+  /// Adds independent noise to the tool's entries of x. Each beta_j keeps its moments with x as they were.
+  /// @param variance  of the noise [kg^2, (kg m)^2], >= 0
+  void widen_tool(const Vector4<Scalar>& variance) noexcept {
+    XMatrix total = covariance();
+    for (int i = 0; i < 4; ++i) total(kTool + i, kTool + i) += variance[i];
+    restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
+  }
+
+  /// The payload's (m, m r) moves by dt r, where r is correlated with x; then process noise Q is added to phi. Each
+  /// beta_j keeps its moments with the old x, and depends on r only through x.
+  /// @param dt     [s]
+  /// @param rate   E[r] [kg/s, kg m/s]
+  /// @param cross  cov(x, r); on return that of the new x
+  /// @param V      cov(r)
+  /// @param Q      covariance of the noise of phi, positive semidefinite; if it is not finite, nothing changes
+  void drift(Scalar dt, const Vector4<Scalar>& rate, Cross& cross, const Matrix4<Scalar>& V,
+             const InertialMatrix<Scalar>& Q) noexcept {
+    XMatrix total = covariance();
+    for (int i = 0; i < kInertial; ++i)
+      for (int k = 0; k < kInertial; ++k) total(kPayload + i, kPayload + k) += Q(i, k);
+    Cross after = cross;
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i < 4; ++i) after(kPayload + i, k) += dt * V(i, k);
+    for (int i = 0; i < kShared; ++i) {
+      for (int k = 0; k < 4; ++k) {
+        total(i, kPayload + k) += dt * cross(i, k);
+        total(kPayload + k, i) += dt * after(i, k);
       }
-      joint.slope.setZero();
     }
-    mean_ = mean;
-    factor_ = factor;
-    empty_ = false;
+    X moved = mean_;
+    for (int i = 0; i < 4; ++i) moved[kPayload + i] += dt * rate[i];
+    if (!restate(moved, total, [&](const Slope& shared, const Slope& slope) {
+          Slope out = shared;
+          const Eigen::Matrix<Scalar, 4, kJointNuisances> with_rate = detail::transposed_product(cross, slope);
+          for (int i = 0; i < 4; ++i)
+            for (int n = 0; n < kJointNuisances; ++n) out(kPayload + i, n) += dt * with_rate(i, n);
+          return out;
+        }))
+      return;
+    cross = after;
+    size_ = kShared;
   }
-  /// Sets phi to 0 for certain: the hand is empty. Each beta_j keeps its marginal distribution.
-  void empty_payload() noexcept {
-    if (empty_) return;
-    replace_payload(Phi::Zero(), PhiMatrix::Zero());
-    empty_ = true;
-  }
-
-  /// Adds process noise to phi: phi += N(0, Q). Each beta_j keeps its moments with phi as they were.
-  /// @param Q  positive semidefinite; if it is not finite, nothing changes
-  void diffuse(const PhiMatrix& Q) noexcept {
-    const PhiMatrix before = covariance();
-    PhiMatrix total = before, lower;
-    total += Q;
-    if (!factorise(total, lower)) return;
-    const PhiMatrix inverse = inverted(lower);
-    for (int j = 0; j < Dofs; ++j) {
-      Joint& joint = this->joint(j);
-      const Slope cross = detail::product(before, joint.slope);
-      BetaMatrix V = joint.covariance;
-      V += detail::transposed_product(joint.slope, cross);
-      joint = given_payload(inverse, mean_, nuisance_mean(j), cross, V);
-    }
-    factor_ = lower;
-    empty_ = false;
-  }
-
-  /// The star with the moments of a mixture of stars.
-  /// @param parts    the components; one whose weight is 0 is not read
-  /// @param weights  of the components, >= 0, sum 1
-  template <std::size_t Count>
-  static StarGaussian mix(const std::array<const StarGaussian*, Count>& parts,
-                          const std::array<Scalar, Count>& weights) noexcept;
-  /// The same for the nuisances alone: in the result the hand is empty, whatever phi is in the components. Parameters
-  /// as in mix().
-  template <std::size_t Count>
-  static StarGaussian mix_emptied(const std::array<const StarGaussian*, Count>& parts,
-                                  const std::array<Scalar, Count>& weights) noexcept;
 
   /// Cholesky factorisation P = L L^T, L lower triangular, for a positive semidefinite P. A direction whose variance is
   /// zero, to within rounding, gets a column of zeros.
   /// @return false if P is not finite; then L is as it was
-  static bool factorise(const PhiMatrix& P, PhiMatrix& L) noexcept {
+  template <int Size>
+  static bool factorise(const Eigen::Matrix<Scalar, Size, Size>& P, Eigen::Matrix<Scalar, Size, Size>& L) noexcept {
     using std::sqrt;
+    using Matrix = Eigen::Matrix<Scalar, Size, Size>;
     if (!detail::finite(P)) return false;
-    PhiMatrix out = PhiMatrix::Zero();
-    for (int j = 0; j < kInertial; ++j) {
+    Matrix out = Matrix::Zero();
+    for (int j = 0; j < Size; ++j) {
       Scalar pivot = P(j, j);
       for (int k = 0; k < j; ++k) pivot -= out(j, k) * out(j, k);
       // Relative to its own diagonal entry, since the entries have different units.
       if (!(pivot > Eigen::NumTraits<Scalar>::epsilon() * 16 * P(j, j))) continue;
       out(j, j) = sqrt(pivot);
-      for (int i = j + 1; i < kInertial; ++i) {
+      for (int i = j + 1; i < Size; ++i) {
         Scalar sum = P(i, j);
         for (int k = 0; k < j; ++k) sum -= out(i, k) * out(j, k);
         out(i, j) = sum / out(j, j);
@@ -227,13 +273,63 @@ class StarGaussian {
   }
 
  private:
+  template <int Size>
+  using Head = Eigen::Map<Eigen::Matrix<Scalar, Size, 1>>;
+  template <int Size>
+  using ConstHead = Eigen::Map<const Eigen::Matrix<Scalar, Size, 1>>;
+
+  template <int Size>
+  void predict_shared(const Joint& joint, const JointObservation<Scalar>& o, Prediction& p) const noexcept {
+    p.gain_row = o.h;
+    Head<Size> u(p.gain_row.data());
+    for (int n = 0; n < kJointNuisances; ++n)
+      if (o.c[n] != Scalar(0)) u += o.c[n] * ConstHead<Size>(joint.slope.data() + n * kShared);
+    Scalar square = Scalar(0);
+    for (int k = 0; k < Size; ++k) {
+      p.spread[k] = ConstHead<Size>(factor_.data() + k * kShared).dot(u);
+      square += p.spread[k] * p.spread[k];
+    }
+    for (int k = Size; k < kShared; ++k) p.spread[k] = p.gain_row[k] = Scalar(0);
+    p.variance = square + p.given_shared;
+    p.innovation = p.conditional_error - ConstHead<Size>(mean_.data()).dot(u);
+  }
+  template <int Size>
+  void observe_shared(int, const Prediction& p) noexcept {
+    using std::sqrt;
+    X row = X::Zero();
+    Head<Size> covariance_row(row.data());
+    for (int k = 0; k < Size; ++k) covariance_row += p.spread[k] * ConstHead<Size>(factor_.data() + k * kShared);
+    Head<Size>(mean_.data()) += (p.innovation / p.variance) * covariance_row;
+    const Scalar shrink = Scalar(1) / (p.variance * (Scalar(1) + sqrt(p.given_shared / p.variance)));
+    for (int k = 0; k < Size; ++k) Head<Size>(factor_.data() + k * kShared) -= (shrink * p.spread[k]) * covariance_row;
+  }
+
+  /// Gives x the mean `mean` and the covariance `total`, and each beta_j its moments with the new x.
+  /// @param moments  from cov(x, beta_j) before and B_j^T, cov(x, beta_j) after
+  /// @return false if `total` is not finite; then nothing has changed
+  template <typename Moments>
+  bool restate(const X& mean, const XMatrix& total, const Moments& moments) noexcept {
+    XMatrix lower;
+    if (!factorise(total, lower)) return false;
+    const XMatrix before = covariance(), inverse = inverted(lower);
+    for (int j = 0; j < Dofs; ++j) {
+      Joint& joint = this->joint(j);
+      const Slope cross = detail::product(before, joint.slope);
+      BetaMatrix V = joint.covariance;
+      V += detail::transposed_product(joint.slope, cross);
+      joint = given_shared(inverse, mean, nuisance_mean(j), moments(cross, joint.slope), V);
+    }
+    factor_ = lower;
+    mean_ = mean;
+    return true;
+  }
   /// Inverse of factorise()'s L in the directions that have variance, with zeros in the rows and columns of the others.
-  static PhiMatrix inverted(const PhiMatrix& L) noexcept {
-    PhiMatrix out = PhiMatrix::Zero();
-    for (int j = 0; j < kInertial; ++j) {
+  static XMatrix inverted(const XMatrix& L) noexcept {
+    XMatrix out = XMatrix::Zero();
+    for (int j = 0; j < kShared; ++j) {
       if (!(L(j, j) > 0)) continue;
       out(j, j) = Scalar(1) / L(j, j);
-      for (int i = j + 1; i < kInertial; ++i) {
+      for (int i = j + 1; i < kShared; ++i) {
         if (!(L(i, i) > 0)) continue;
         Scalar sum = Scalar(0);
         for (int k = j; k < i; ++k) sum -= L(i, k) * out(k, j);
@@ -242,15 +338,15 @@ class StarGaussian {
     }
     return out;
   }
-  /// Gaussian of a joint's nuisances given phi, from the moments of both.
-  /// @param inverse         inverted() of the factor of cov(phi)
-  /// @param phi             E[phi]
-  /// @param mean, cross, V  E[beta], cov(phi, beta), cov(beta)
-  static Joint given_payload(const PhiMatrix& inverse, const Phi& phi, const Beta& mean, const Slope& cross,
-                             const BetaMatrix& V) noexcept {
+  /// Gaussian of a joint's nuisances given x, from the moments of both.
+  /// @param inverse         inverted() of the factor of cov(x)
+  /// @param x               E[x]
+  /// @param mean, cross, V  E[beta], cov(x, beta), cov(beta)
+  static Joint given_shared(const XMatrix& inverse, const X& x, const Beta& mean, const Slope& cross,
+                            const BetaMatrix& V) noexcept {
     const Slope white = detail::product(inverse, cross);
     Joint joint{mean, detail::transposed_product(inverse, white), V};
-    detail::add_scaled(joint.mean, Scalar(-1), detail::transposed_product(joint.slope, phi));
+    detail::add_scaled(joint.mean, Scalar(-1), detail::transposed_product(joint.slope, x));
     for (int i = 0; i < kJointNuisances; ++i) {
       for (int k = 0; k <= i; ++k) {
         const Scalar shown = detail::column(white, i).dot(detail::column(white, k));
@@ -261,12 +357,10 @@ class StarGaussian {
     return joint;
   }
 
-  Phi mean_ = Phi::Zero();
-  PhiMatrix factor_ = PhiMatrix::Zero();  // F
-  bool empty_ = true;                     // phi = 0 for certain; slopes are then not used
+  X mean_ = X::Zero();
+  XMatrix factor_ = XMatrix::Zero();  // F
+  int size_ = kArmShared;             // entries of x that are not zero for certain; the others have zero slopes
   std::array<Joint, static_cast<std::size_t>(Dofs)> joints_;
 };
 
 }  // namespace rme
-
-#include <rme/tracking/detail/star_gaussian_impl.hpp>

@@ -2,12 +2,14 @@
 /// Averages samples over 20 to 60 ms: the tracker's measurement.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
 #include <rme/sensing/proprioception.hpp>
 #include <rme/tracking/inertial_parameters.hpp>
+#include <rme/tracking/shrunk_rate.hpp>
 
 namespace rme {
 
@@ -16,11 +18,13 @@ inline constexpr int kBlockParts = 4;  ///< parts of a block, for which velocity
 /// Averages over a block of samples.
 template <typename Scalar, int Dofs>
 struct TorqueBlock {
-  double end = 0;                                       ///< instant of its last sample [s]
-  Scalar duration = Scalar(0);                          ///< [s], > 0
-  JointVector<Scalar, Dofs> tau;                        ///< external torque, the observer's lag removed [N m]
-  JointVector<Scalar, Dofs> torque_rate;                ///< rate of change of the filtered tau_ext [N m/s]
-  Eigen::Matrix<Scalar, Dofs, kInertial> regressor;     ///< J^T Y of (T10): d tau / d phi
+  double end = 0;                 ///< instant of its last sample [s]
+  Scalar duration = Scalar(0);    ///< [s], > 0
+  JointVector<Scalar, Dofs> tau;  ///< external torque, the observer's lag removed [N m]
+  /// Rate of change of the filtered tau_ext, its posterior mean: zero unless it is above its noise [N m/s].
+  JointVector<Scalar, Dofs> torque_rate;
+  /// J^T Y of (T10): d tau / d phi. The flange's acceleration in it is the posterior mean, unless the host gives it.
+  Eigen::Matrix<Scalar, Dofs, kInertial> regressor;
   Jacobian<Scalar, Dofs> jacobian;                      ///< of the last sample
   Matrix3<Scalar> rotation;                             ///< of the last sample
   JointVector<Scalar, Dofs> velocity;                   ///< mean of dq [rad/s]
@@ -28,16 +32,25 @@ struct TorqueBlock {
   JointVector<Scalar, Dofs> torque_step;                ///< smallest change of tau_ext so far; 0 if none [N m]
   JointVector<Scalar, Dofs> velocity_noise;             ///< learned variance of the noise of dq [(rad/s)^2]
   int samples = 0;                                      ///< number of samples
+  /// Posterior variance of the flange's linear acceleration in `regressor`, mean over the axes [(m/s^2)^2]. It is a
+  /// noise of the torque, m^2 times as large per axis. 0 if the host gives the motion.
+  Scalar acceleration_variance = Scalar(0);
+  Scalar angular_acceleration_variance = Scalar(0);  ///< the same of the angular acceleration [(rad/s^2)^2]
+  /// Mean of what the host adds to its command for the payload [N m], averaged like tau; absent unless the samples of
+  /// more than half of the block have it.
+  std::optional<JointVector<Scalar, Dofs>> carried = std::nullopt;
+  /// The last sample's: the arm's own gravity torque per unit of gravity along each world axis [N m / (m/s^2)].
+  std::optional<Eigen::Matrix<Scalar, Dofs, 3>> gravity_torque = std::nullopt;
 };
 
 /// What is known of a block in addition to its samples.
-template <typename Scalar>
+template <typename Scalar, int Dofs>
 struct BlockContext {
   bool exchange_likely = false;  ///< the host says that the payload changes now
-  bool kind_likely = true;       ///< the arm is not unlikely to have this bank's kind of torque sensing
+  bool kind_likely = true;       ///< the arm is not unlikely to have this kind of torque sensing
   bool friction_shows = false;   ///< it is certain that tau_ext contains joint friction
-  /// Change of the phi that is compensated, since the last block [kg, kg m, kg m^2].
-  InertialVector<Scalar> compensation_change = InertialVector<Scalar>::Zero();
+  /// Change of the commanded compensation since the last block [N m].
+  JointVector<Scalar, Dofs> compensation_change = JointVector<Scalar, Dofs>::Zero();
 };
 
 /// Averages samples over blocks.
@@ -50,10 +63,14 @@ struct BlockContext {
 /// average of the differences of J dq is then the least-squares slope of J dq, which has the least variance of all
 /// linear estimates of the acceleration, and the averaged torque belongs to this acceleration. Blocks last 20 ms, and
 /// up to 60 ms if dq is noisy: the acceleration is part of the payload's regressor, and errors of a regressor do not
-/// average out, but make the payload look lighter.
+/// average out, but make the payload look lighter. So the part of each joint's acceleration that counts as noise of dq
+/// is taken out of the regressor (ShrunkRate; docs/theory.md, "Noise in the regressor"). The rate of tau_ext, the
+/// regressor of a lag, is treated in the same way.
 ///
-/// Periods may vary, and samples may be missing: each sample counts for the time since the last one. Real time: add()
-/// is O(Dofs), and O(10 Dofs) on the last sample of each part; nothing allocates.
+/// Periods of 0.1 ms to 0.1 s are possible. They may vary, and samples may be missing: each sample counts for the time
+/// since the last one. If the host is so slow that a block is a single sample, the acceleration is the difference of two,
+/// and what the second differences of dq show of its changes counts as noise of dq. Real time: add() is O(Dofs), and
+/// O(10 Dofs) on the last sample of each part; nothing allocates.
 template <typename Scalar, int Dofs>
 class BlockAverager {
  public:
@@ -84,6 +101,10 @@ class BlockAverager {
   /// Discards the current block and the last sample. The noise of dq and the resolution of tau_ext are kept.
   void clear() noexcept {
     started_ = false;
+    for (int j = 0; j < Dofs; ++j) {
+      acceleration_[j].interrupt();
+      torque_rate_[j].interrupt();
+    }
     begin();
   }
 
@@ -95,8 +116,10 @@ class BlockAverager {
 
   void begin() noexcept;
   void learn_noise() noexcept;
+  void shrink() noexcept;
   void begin_part() noexcept {
     part_velocity_.setZero();
+    part_difference_.setZero();
     part_change_ = part_twist_ = Twist<Scalar>();
     part_duration_ = part_weight_ = part_motion_weight_ = Scalar(0);
     part_motion_ = FlangeMotion<Scalar>();
@@ -114,25 +137,36 @@ class BlockAverager {
   JointVector<Scalar, Dofs> step_ = JointVector<Scalar, Dofs>::Zero();
   int samples_ = 0;
   // Of the current part of the block.
-  JointVector<Scalar, Dofs> part_velocity_;
-  Twist<Scalar> part_change_, part_twist_;  // weighted sums of the changes of J dq, and of J dq
+  JointVector<Scalar, Dofs> part_velocity_, part_difference_;  // weighted sums of dq, and of its changes
+  Twist<Scalar> part_change_, part_twist_;                     // weighted sums of the changes of J dq, and of J dq
   Scalar part_duration_ = Scalar(0), part_weight_ = Scalar(0), part_motion_weight_ = Scalar(0);
   FlangeMotion<Scalar> part_motion_;  // weighted sum of the motion that the host passes
   // Of the current block.
   int parts_ = 0, differences_ = 0;
   Scalar duration_ = Scalar(0), weight_ = Scalar(0);
+  JointVector<Scalar, Dofs> changes_;     // weighted sum of the changes of dq
+  JointVector<Scalar, Dofs> unmeasured_;  // the same over the parts whose motion the host does not give
+  Scalar unmeasured_weight_ = Scalar(0);
+  Scalar shape_ = Scalar(0), roughness_ = Scalar(0);  // last sample's weight; sum of the squared changes of the weights
+  JointVector<Scalar, Dofs> carried_;                 // weighted sum of the compensation
+  Scalar carried_weight_ = Scalar(0);
   JointVector<Scalar, Dofs> squares_;  // sum of the squared second differences of dq, over 6
   TorqueBlock<Scalar, Dofs> sums_, block_;
   JointVector<Scalar, Dofs> noise_ = JointVector<Scalar, Dofs>::Constant(Scalar(1e-8));  // of dq [(rad/s)^2]
   int noise_blocks_ = 0;       // number of blocks that noise_ is the mean of, at most kNoiseMemory - 1
   double target_ = kDuration;  // intended duration of the current block [s]
+  ShrunkRate<Scalar, RateNoise::Known> acceleration_[Dofs];
+  ShrunkRate<Scalar, RateNoise::Learned> torque_rate_[Dofs];
 };
 
 template <typename Scalar, int Dofs>
 void BlockAverager<Scalar, Dofs>::begin() noexcept {
   begin_part();
   parts_ = differences_ = 0;
-  duration_ = weight_ = Scalar(0);
+  duration_ = weight_ = unmeasured_weight_ = carried_weight_ = shape_ = roughness_ = Scalar(0);
+  changes_.setZero();
+  unmeasured_.setZero();
+  carried_.setZero();
   sums_.tau.setZero();
   sums_.torque_rate.setZero();
   sums_.regressor.setZero();
@@ -169,6 +203,39 @@ void BlockAverager<Scalar, Dofs>::learn_noise() noexcept {
   target_ = std::max(kDuration, std::min(longest_, std::cbrt(12 * period * variance / (kFeigned * kFeigned))));
 }
 
+/// Takes what counts as noise out of the block's accelerations and of the rate of its torque.
+template <typename Scalar, int Dofs>
+void BlockAverager<Scalar, Dofs>::shrink() noexcept {
+  // A weighted mean of differences, sum_i c_i (x_i - x_i-1), is a weighted sum of samples with the weights c_i - c_i+1.
+  // So white noise of variance 1 gives it the variance sum_i (c_i - c_i+1)^2: 12 / (n T^2) for many samples, 2 / T^2
+  // for one.
+  const Scalar slope = (roughness_ + shape_ * shape_) / (weight_ * weight_);
+  const Scalar own = unmeasured_weight_ / weight_;  // share of the block whose motion the host does not give
+  JointVector<Scalar, Dofs> noise;                  // the part of the accelerations that counts as noise [rad/s^2]
+  Scalar linear = Scalar(0), angular = Scalar(0);
+  for (int j = 0; j < Dofs; ++j) {
+    const auto kept = acceleration_[j].update(changes_[j] / weight_, slope * noise_[j]);
+    noise[j] = (Scalar(1) - kept.share) * unmeasured_[j] / weight_;
+    for (int axis = 0; axis < 3; ++axis) {
+      linear += kept.variance * last_.jacobian(axis, j) * last_.jacobian(axis, j);
+      angular += kept.variance * last_.jacobian(3 + axis, j) * last_.jacobian(3 + axis, j);
+    }
+    // The rounding error of a quantised torque is at most half a step.
+    const Scalar rounding = Scalar(0.25) * step_[j] * step_[j];
+    sums_.torque_rate[j] *= torque_rate_[j].update(sums_.torque_rate[j], slope * rounding).share;
+  }
+  sums_.acceleration_variance = own * own * linear / 3;
+  sums_.angular_acceleration_variance = own * own * angular / 3;
+  // The regressor is linear in the acceleration: what has to be taken out is that of the noise alone.
+  const Vector6<Scalar> twist = detail::product(last_.jacobian, noise);
+  FlangeMotion<Scalar> motion;
+  motion.linear_acceleration = twist.template head<3>();
+  motion.angular_acceleration = twist.template tail<3>();
+  const Eigen::Matrix<Scalar, 6, kInertial> wrench =
+      inertial_wrench_regressor<Scalar>(last_.rotation, Vector3<Scalar>::Zero(), motion);
+  detail::add_scaled(sums_.regressor, Scalar(-1), detail::transposed_product(last_.jacobian, wrench));
+}
+
 template <typename Scalar, int Dofs>
 bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample, double dt, double time) noexcept {
   const auto twist = Twist<Scalar>::from_vector(detail::product(sample.jacobian, sample.dq));
@@ -203,6 +270,13 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   detail::add_scaled(sums_.tau, weight, torque_);
   detail::add_scaled(sums_.torque_rate, shape, detail::difference(sample.tau_ext, last_.tau_ext));
   detail::add_scaled(part_velocity_, h, sample.dq);
+  detail::add_scaled(part_difference_, shape, difference_);
+  roughness_ += (shape - shape_) * (shape - shape_);
+  shape_ = shape;
+  if (sample.compensation) {
+    detail::add_scaled(carried_, weight, *sample.compensation);
+    carried_weight_ += weight;
+  }
   part_duration_ += h;
   part_weight_ += weight;
   detail::add_scaled(part_change_.linear, shape, detail::difference(twist.linear, last_twist_.linear));
@@ -235,6 +309,12 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   for (int i = parts_; i < kBlockParts; ++i)
     for (int j = 0; j < Dofs; ++j) sums_.velocities(j, i) = sums_.velocities(j, parts_ - 1);
   learn_noise();
+  shrink();
+  if (carried_weight_ > Scalar(0.5) * weight_)
+    sums_.carried = detail::scaled(Scalar(1) / carried_weight_, carried_);
+  else
+    sums_.carried.reset();
+  sums_.gravity_torque = sample.gravity_torque;
   sums_.velocity_noise = noise_;
   sums_.torque_step = step_;
   sums_.jacobian = sample.jacobian;
@@ -257,7 +337,10 @@ void BlockAverager<Scalar, Dofs>::end_part() noexcept {
     motion.angular_velocity = detail::scaled(mean, part_twist_.angular);
     motion.linear_acceleration = detail::scaled(mean, part_change_.linear);
     motion.angular_acceleration = detail::scaled(mean, part_change_.angular);
+    unmeasured_ += part_difference_;
+    unmeasured_weight_ += part_weight_;
   }
+  changes_ += part_difference_;
   sums_.velocity += part_velocity_;
   const Eigen::Matrix<Scalar, 6, kInertial> wrench =
       inertial_wrench_regressor<Scalar>(last_.rotation, gravity_, motion);

@@ -5,7 +5,7 @@
 #include <rme/core/types.hpp>
 #include <rme/tracking/torque_block.hpp>
 
-namespace rme {
+namespace rme::bank {
 
 /// Adapts the hypothesis *filling* to the pour: its transition probabilities and its process noise (docs/theory.md,
 /// "Hypotheses").
@@ -95,4 +95,4 @@ class PourMonitor {
   Scalar pace_ = Scalar(kMost / kSpread);  // average change of the mass of *filling*
 };
 
-}  // namespace rme
+}  // namespace rme::bank

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <rme/tracking/push_filter.hpp>
+#include <rme/tracking/bank/push_filter.hpp>
 
 #include "support/catch.hpp"
 #include "support/linear_algebra.hpp"
@@ -14,7 +14,7 @@ constexpr int kDofs = 7;
 constexpr double kRated = 3;
 constexpr double kBlock = 0.02;  // [s]
 template <typename Scalar>
-using Filter = rme::PushFilter<Scalar, kDofs>;
+using Filter = rme::bank::PushFilter<Scalar, kDofs>;
 using Joints = rme::JointVector<double, kDofs>;
 using Covariance = Filter<double>::Covariance;
 

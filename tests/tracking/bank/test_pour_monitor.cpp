@@ -1,6 +1,6 @@
 #include <cmath>
 #include <random>
-#include <rme/tracking/pour_monitor.hpp>
+#include <rme/tracking/bank/pour_monitor.hpp>
 
 #include "support/catch.hpp"
 
@@ -41,7 +41,7 @@ struct Held {
   rme::TorqueBlock<double, kDofs> block;
   rme::InertialVector<double> phi;
   Joints variance, noise, load;
-  rme::PourMonitor<double, kDofs> monitor;
+  rme::bank::PourMonitor<double, kDofs> monitor;
 };
 
 TEST_CASE("PourMonitor: white innovations raise the odds of a pour as often as chance does", "[pour]") {
@@ -148,7 +148,7 @@ TEST_CASE("PourMonitor: the spread is three times what comes in a block, between
           "[pour]") {
   for (const double duration : {0.01, 0.02, 0.04}) {
     const auto spread_at = [duration](double rate) {  // [1/s] of the rated payload
-      rme::PourMonitor<double, kDofs> monitor;
+      rme::bank::PourMonitor<double, kDofs> monitor;
       for (int k = 0; k < 200; ++k) monitor.follow_filling(rate * duration, duration);
       return monitor.spread(duration);
     };
@@ -162,7 +162,7 @@ TEST_CASE("PourMonitor: the spread is three times what comes in a block, between
 }
 
 TEST_CASE("PourMonitor: a pour begins as any, is followed within some blocks, and is forgotten", "[pour]") {
-  rme::PourMonitor<double, kDofs> monitor;
+  rme::bank::PourMonitor<double, kDofs> monitor;
   const double any = monitor.spread(kBlock);
   CHECK(any == Approx(0.0027));
   for (int time = 0; time < 2; ++time) {

@@ -7,7 +7,7 @@
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 
-namespace rme {
+namespace rme::bank {
 
 /// Computes the likelihood of a block's torque if a wrench w acts in addition to the payload (docs/theory.md (T43)).
 /// The wrench of a new push may be any: w ~ N(0, W). The wrench of a push that goes on changes little from block to
@@ -100,4 +100,4 @@ class PushFilter {
   Scalar lasted_ = Scalar(0);  // time since it was new [s]
 };
 
-}  // namespace rme
+}  // namespace rme::bank

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace rme {
+namespace rme::bank {
 
 /// What may have happened to the payload in a block. There is one filter for each hypothesis, all with the same state
 /// (docs/theory.md, "Hypotheses").
@@ -58,4 +58,4 @@ inline constexpr std::array<std::array<double, kHypotheses>, kHypotheses> kTrans
     {0.012, 0.012, 0.002, 0.003, 0.971},    // from Pushed
 }};
 
-}  // namespace rme
+}  // namespace rme::bank

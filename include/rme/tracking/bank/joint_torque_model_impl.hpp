@@ -2,9 +2,9 @@
 /// How JointTorqueModel processes a block.
 #include <algorithm>
 #include <cmath>
-#include <rme/tracking/joint_torque_model.hpp>
+#include <rme/tracking/bank/joint_torque_model.hpp>
 
-namespace rme {
+namespace rme::bank {
 
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
@@ -27,26 +27,20 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   turn(block);
   if (started_) rate_before_ = block_.torque_rate;
   started_ = true;
-  // Noise of dq makes noise of the flange's acceleration, and so of the payload's inertia force and moment. The
-  // payload's distance from the flange is the prior's, inertia_arm_.
-  Scalar linear_noise = Scalar(0), angular_noise = Scalar(0);  // mean over the axes
-  JointVector<Scalar, Dofs> lever, turn;                       // squared norms of the columns of J_v and J_w
+  // The error of the flange's acceleration makes an error of the payload's inertia force and moment (T29). The payload's
+  // distance from the flange is the prior's, inertia_arm_. The joints' errors have one cause, which the filter neglects:
+  // kCorrelated makes up for that.
+  constexpr double kCorrelated = 2.5;
+  const Scalar linear = Scalar(kCorrelated) * block.acceleration_variance;
+  const Scalar angular = Scalar(kCorrelated) * block.angular_acceleration_variance;
   for (int j = 0; j < Dofs; ++j) {
-    lever[j] = turn[j] = Scalar(0);
+    Scalar lever = Scalar(0), turn = Scalar(0);  // squared norms of the columns of J_v and J_w
     for (int axis = 0; axis < 3; ++axis) {
-      lever[j] += block.jacobian(axis, j) * block.jacobian(axis, j);
-      turn[j] += block.jacobian(3 + axis, j) * block.jacobian(3 + axis, j);
+      lever += block.jacobian(axis, j) * block.jacobian(axis, j);
+      turn += block.jacobian(3 + axis, j) * block.jacobian(3 + axis, j);
     }
-    linear_noise += lever[j] * block.velocity_noise[j] / 3;
-    angular_noise += turn[j] * block.velocity_noise[j] / 3;
+    inertia_noise_[j] = linear * lever + (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) * turn;
   }
-  // Variance of the slope (T29): 12 / n from n samples, and at most 2, that of the difference of two samples. The
-  // factor 2.5 makes up for the correlation of this noise over the joints, which the filter neglects.
-  const auto samples = static_cast<Scalar>(std::max(1, block.samples));
-  const Scalar difference = Scalar(2.5) * std::min(Scalar(2), Scalar(12) / samples) / (block.duration * block.duration);
-  const Scalar linear = difference * linear_noise, angular = difference * angular_noise;
-  for (int j = 0; j < Dofs; ++j)
-    inertia_noise_[j] = linear * lever[j] + (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) * turn[j];
   block_ = block;
   regime_ = regime;
   friction_shows_ = context.friction_shows;
@@ -191,4 +185,4 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
   return o;
 }
 
-}  // namespace rme
+}  // namespace rme::bank

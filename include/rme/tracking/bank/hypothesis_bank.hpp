@@ -7,15 +7,15 @@
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/bank/hypothesis.hpp>
+#include <rme/tracking/bank/joint_torque_model.hpp>
+#include <rme/tracking/bank/pour_monitor.hpp>
+#include <rme/tracking/bank/push_filter.hpp>
+#include <rme/tracking/bank/star_gaussian.hpp>
 #include <rme/tracking/friction_regime.hpp>
-#include <rme/tracking/hypothesis.hpp>
-#include <rme/tracking/joint_torque_model.hpp>
-#include <rme/tracking/pour_monitor.hpp>
-#include <rme/tracking/push_filter.hpp>
-#include <rme/tracking/star_gaussian.hpp>
 #include <rme/tracking/torque_block.hpp>
 
-namespace rme {
+namespace rme::bank {
 
 /// Five filters, one for each hypothesis, and the probabilities of the hypotheses: an interacting-multiple-model filter
 /// (Blom and Bar-Shalom, IEEE Trans. Automatic Control 1988; docs/theory.md, "Hypotheses"). For each block, call
@@ -295,6 +295,6 @@ Scalar HypothesisBank<Scalar, Dofs>::finish() noexcept {
   return highest + log(total) - (pays ? Scalar(kLate) : Scalar(0));
 }
 
-}  // namespace rme
+}  // namespace rme::bank
 
-#include <rme/tracking/detail/hypothesis_bank_impl.hpp>
+#include <rme/tracking/bank/hypothesis_bank_impl.hpp>

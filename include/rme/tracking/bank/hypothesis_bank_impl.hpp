@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <rme/tracking/hypothesis_bank.hpp>
+#include <rme/tracking/bank/hypothesis_bank.hpp>
 
-namespace rme {
+namespace rme::bank {
 
 template <typename Scalar, int Dofs>
 Scalar HypothesisBank<Scalar, Dofs>::transition(std::size_t from, std::size_t to) const noexcept {
@@ -211,4 +211,4 @@ void HypothesisBank<Scalar, Dofs>::follow_pour() noexcept {
     pour_.forget_pace();
 }
 
-}  // namespace rme
+}  // namespace rme::bank

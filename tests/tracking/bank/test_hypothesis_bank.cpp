@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <rme/tracking/hypothesis_bank.hpp>
+#include <rme/tracking/bank/hypothesis_bank.hpp>
 #include <synthetic_arm/panda.hpp>
 #include <synthetic_arm/random_pose.hpp>
 #include <tuple>
@@ -16,15 +16,15 @@ namespace {
 
 using oracle::Matrix;
 using oracle::Vector;
-using rme::Hypothesis;
 using rme::kInertial;
 using rme::Sensing;
+using rme::bank::Hypothesis;
 constexpr double kRated = 3;
 constexpr Hypothesis kAll[] = {Hypothesis::Empty, Hypothesis::Steady, Hypothesis::Filling, Hypothesis::Exchanged,
                                Hypothesis::Pushed};
 
 template <int Dofs>
-using Bank = rme::HypothesisBank<double, Dofs>;
+using Bank = rme::bank::HypothesisBank<double, Dofs>;
 template <int Dofs>
 using Block = rme::TorqueBlock<double, Dofs>;
 
@@ -48,7 +48,7 @@ double take_in(Bank<Dofs>& bank, const Block<Dofs>& block, rme::FrictionRegime<d
                bool exchange_likely = false) {
   regime.update(block);
   bank.begin(block, regime, {exchange_likely});
-  for (std::size_t i = 0; i < rme::kHypotheses; ++i) bank.evaluate(i);
+  for (std::size_t i = 0; i < rme::bank::kHypotheses; ++i) bank.evaluate(i);
   return bank.finish();
 }
 
@@ -141,7 +141,7 @@ class AllSequences {
       s.covariance.topLeftCorner(kInertial, kInertial) = star.covariance();
       for (int j = 0; j < kJoints; ++j) {
         REQUIRE(star.joint(j).slope.isZero(0));
-        s.covariance(offset(j), offset(j)) = star.joint(j).covariance(rme::kOffset, rme::kOffset);
+        s.covariance(offset(j), offset(j)) = star.joint(j).covariance(rme::bank::kOffset, rme::bank::kOffset);
       }
       sequences_.push_back(s);
     }
@@ -174,7 +174,7 @@ class AllSequences {
     std::vector<Sequence> next;
     for (const Sequence& before : sequences_) {
       for (const Hypothesis to : kAll) {
-        const double transition = rme::kTransitions[std::size_t(before.last)][std::size_t(to)];
+        const double transition = rme::bank::kTransitions[std::size_t(before.last)][std::size_t(to)];
         if (!(transition > 0) || before.log_weight < -30) continue;
         Sequence s = before;
         s.last = to;
@@ -412,7 +412,7 @@ TEST_CASE("HypothesisBank: merging costs little against the exact mixture over a
 }
 
 /// Largest difference of a filter from a sequence's, in what they say of the payload and the offsets, in deviations.
-double difference(const rme::StarGaussian<double, kJoints>& star, const Sequence& exact) {
+double difference(const rme::bank::StarGaussian<double, kJoints>& star, const Sequence& exact) {
   if (!star.finite()) return std::numeric_limits<double>::infinity();
   double worst = 0;
   const auto scale = [&](int i) { return std::sqrt(exact.covariance(i, i)) + 1e-9; };
@@ -424,9 +424,10 @@ double difference(const rme::StarGaussian<double, kJoints>& star, const Sequence
   }
   for (int j = 0; j < kJoints; ++j) {
     const int o = kInertial + 2 * j;
-    worst = std::max(worst, std::abs(star.nuisance_mean(j)[rme::kOffset] - exact.mean[o]) / scale(o));
-    worst =
-        std::max(worst, std::abs(star.nuisance_covariance(j)(rme::kOffset, rme::kOffset) / exact.covariance(o, o) - 1));
+    worst = std::max(worst, std::abs(star.nuisance_mean(j)[rme::bank::kOffset] - exact.mean[o]) / scale(o));
+    worst = std::max(
+        worst,
+        std::abs(star.nuisance_covariance(j)(rme::bank::kOffset, rme::bank::kOffset) / exact.covariance(o, o) - 1));
   }
   return worst;
 }
@@ -511,11 +512,11 @@ TEST_CASE("HypothesisBank: stiction that may have jumped is the mixture of both,
     block.tau[1] += stiction;
     const double evidence = take_in(bank, block, arm.regime);
 
-    rme::JointTorqueModel<double, kJoints> model(Sensing::JointFriction, arm.prior, 0.02);
+    rme::bank::JointTorqueModel<double, kJoints> model(Sensing::JointFriction, arm.prior, 0.02);
     model.begin(block, arm.regime);
     auto star = model.prior();
     model.predict(star);
-    double expected = std::log(rme::kTransitions[0][0]);
+    double expected = std::log(rme::bank::kTransitions[0][0]);
     for (int j = 0; j < kJoints; ++j) {
       const auto o = model.observation(j, 0);
       auto p = star.predict(j, o);
@@ -523,7 +524,8 @@ TEST_CASE("HypothesisBank: stiction that may have jumped is the mixture of both,
       const double jump = model.stiction_jump(star, j), stays = density(p.variance), jumps = density(p.variance + jump);
       REQUIRE((jump > 0) == (j > 0));
       expected += std::log(jump > 0 ? stays + jumps : stays);
-      if (jump > 0) star.joint(j).covariance(rme::kStiction, rme::kStiction) += jump * jumps / (stays + jumps);
+      if (jump > 0)
+        star.joint(j).covariance(rme::bank::kStiction, rme::bank::kStiction) += jump * jumps / (stays + jumps);
       p = star.predict(j, o);
       star.observe(j, p);
     }
@@ -563,10 +565,10 @@ TEST_CASE("HypothesisBank: what a likelier hypothesis explains is left out below
       const auto next = [&](bool likely) {
         const auto block = arm.block(held, rme::Vector6<double>::Zero(), 0);
         arm.regime.update(block);
-        rme::BlockContext<double> context;
+        rme::bank::BlockContext<double> context;
         context.kind_likely = likely;
         bank.begin(block, arm.regime, context);
-        for (std::size_t i = 0; i < rme::kHypotheses; ++i) bank.evaluate(i);
+        for (std::size_t i = 0; i < rme::bank::kHypotheses; ++i) bank.evaluate(i);
         (void)bank.finish();
       };
       for (int k = 0; k < 100; ++k) next(true);
@@ -587,7 +589,7 @@ TEST_CASE("HypothesisBank: before a block is looked at, an exchange is eighty ti
   Bank<kJoints> bank(Sensing::RoughModel, arm.prior, rme::PayloadPrior<double>::of(kRated), kRated);
   double exchanged = 0, other = 0;
   for (const Hypothesis from : kAll) {
-    const auto& row = rme::kTransitions[static_cast<std::size_t>(from)];
+    const auto& row = rme::bank::kTransitions[static_cast<std::size_t>(from)];
     exchanged += bank.probability(from) * row[static_cast<std::size_t>(Hypothesis::Exchanged)] / 80;
     for (const Hypothesis to : kAll)
       if (to != Hypothesis::Exchanged) other += bank.probability(from) * row[static_cast<std::size_t>(to)];
@@ -731,8 +733,8 @@ TEST_CASE("HypothesisBank: in float a push is as likely as in double", "[bank]")
     arm.pose();
     auto bank = bank_of(arm);
     rme::ArmPrior<float, 7> prior = rme::ArmPrior<float, 7>::of(float(kRated));
-    rme::HypothesisBank<float, 7> narrow(Sensing::LinkSide, prior, rme::PayloadPrior<float>::of(float(kRated)),
-                                         float(kRated));
+    rme::bank::HypothesisBank<float, 7> narrow(Sensing::LinkSide, prior, rme::PayloadPrior<float>::of(float(kRated)),
+                                               float(kRated));
     rme::FrictionRegime<float, 7> regime;
     rme::Vector6<double> push = rme::Vector6<double>::Zero();
     for (int k = 0; k < 53; ++k) {
@@ -751,7 +753,7 @@ TEST_CASE("HypothesisBank: in float a push is as likely as in double", "[bank]")
       same.velocity_noise.setZero();
       regime.update(same);
       narrow.begin(same, regime, {true});
-      for (std::size_t i = 0; i < rme::kHypotheses; ++i) narrow.evaluate(i);
+      for (std::size_t i = 0; i < rme::bank::kHypotheses; ++i) narrow.evaluate(i);
       narrow.finish();
       take_in(bank, block, arm.regime, true);
       CAPTURE(k);
@@ -791,7 +793,7 @@ TEST_CASE("HypothesisBank: what nothing is seen of settles at the variance of th
     take_in(bank, block, arm.regime);
   }
   for (int j = 0; j < 7; ++j)
-    CHECK(bank.star(Hypothesis::Empty).nuisance_covariance(j)(rme::kResidual, rme::kResidual) ==
+    CHECK(bank.star(Hypothesis::Empty).nuisance_covariance(j)(rme::bank::kResidual, rme::bank::kResidual) ==
           Approx(bank.noise().residual_variance(j)).epsilon(0.3));
 }
 
@@ -818,6 +820,9 @@ TEST_CASE("HypothesisBank: noise of dq is noise of the payload's inertia force, 
       auto block = arm.block(payload, rme::Vector6<double>::Zero(), 0.3, {{0, 0, 0}, a.head<3>(), a.tail<3>()});
       block.tau = arm.block(payload).tau;  // the arm has not really moved
       block.velocity_noise.setConstant(noise * noise);
+      const double variance = 2 * noise * noise / 4e-4;
+      block.acceleration_variance = variance * arm.jacobian.topRows<3>().squaredNorm() / 3;
+      block.angular_acceleration_variance = variance * arm.jacobian.bottomRows<3>().squaredNorm() / 3;
       take_in(bank, block, arm.regime);
       if (k < 10) continue;
       steady += bank.probability(Hypothesis::Steady) > 0.9;
@@ -926,7 +931,8 @@ std::pair<double, double> added(const Bank<7>& bank, Arm<7>& arm) {
   const auto usual = [&](Hypothesis to) {
     double sum = 0;
     for (const Hypothesis from : kAll)
-      sum += rme::kTransitions[static_cast<std::size_t>(from)][static_cast<std::size_t>(to)] * bank.probability(from);
+      sum += rme::bank::kTransitions[static_cast<std::size_t>(from)][static_cast<std::size_t>(to)] *
+             bank.probability(from);
     return sum;
   };
   // Nothing is ever added to *empty*.
@@ -1029,7 +1035,7 @@ TEST_CASE("HypothesisBank: a load that is gone leaves offsets unsure by 2 % of i
     const auto with = after(bank, arm, gone), without = after(bank, arm, there);
     double all = 0, empty = 0;
     for (const Hypothesis from : kAll) {
-      const double p = rme::kTransitions[static_cast<std::size_t>(from)][0] * bank.probability(from);
+      const double p = rme::bank::kTransitions[static_cast<std::size_t>(from)][0] * bank.probability(from);
       all += p;
       if (from == Hypothesis::Empty) empty = p;
     }
@@ -1037,7 +1043,7 @@ TEST_CASE("HypothesisBank: a load that is gone leaves offsets unsure by 2 % of i
     for (int j = 0; j < 7; ++j) {
       CAPTURE(j);
       const auto variance = [j](const Bank<7>& b) {
-        return b.star(Hypothesis::Empty).joint(j).covariance(rme::kOffset, rme::kOffset);
+        return b.star(Hypothesis::Empty).joint(j).covariance(rme::bank::kOffset, rme::bank::kOffset);
       };
       const double off = std::min(0.02 * std::abs(load[j]), arm.prior.offset[j]);
       CHECK(variance(with) - variance(without) == Approx(off * off * (1 - empty / all)).epsilon(0.02).margin(1e-8));
@@ -1143,9 +1149,9 @@ TEST_CASE(
     CHECK(std::abs(believed_mass(bank) - 1.2) < 0.005);
     const auto& star = bank.star(Hypothesis::Steady);
     for (const int j : {1, 5}) {  // which bear most
-      CHECK(std::sqrt(star.nuisance_covariance(j)(rme::kLag, rme::kLag)) ==
+      CHECK(std::sqrt(star.nuisance_covariance(j)(rme::bank::kLag, rme::bank::kLag)) ==
             Approx(lag != 0 ? 0.0016 : 0.015).epsilon(0.5));
-      CHECK(std::abs(star.nuisance_mean(j)[rme::kLag] - lag) < 0.001);
+      CHECK(std::abs(star.nuisance_mean(j)[rme::bank::kLag] - lag) < 0.001);
     }
   }
 }
@@ -1196,7 +1202,7 @@ TEST_CASE("HypothesisBank: while a push lasts, what was known of the arm before 
     return after(bank, arm, silent(arm))
         .star(Hypothesis::Exchanged)
         .joint(j)
-        .covariance(rme::kResidual, rme::kResidual);
+        .covariance(rme::bank::kResidual, rme::bank::kResidual);
   };
   bank.believe(Hypothesis::Pushed, 0.9999);
   CHECK(residual(0) < 0.8 * bank.noise().residual_variance(0));
@@ -1221,7 +1227,7 @@ TEST_CASE("HypothesisBank: what an exchange begins from is as old as the block, 
   take_in(bank, block, arm.regime, true);
   for (int j = 0; j < 7; ++j) {
     const auto variance = [&](Hypothesis h) {
-      return bank.star(h).joint(j).covariance(rme::kResidual, rme::kResidual);
+      return bank.star(h).joint(j).covariance(rme::bank::kResidual, rme::bank::kResidual);
     };
     CAPTURE(j, bank.noise().residual_variance(j));
     CHECK(variance(Hypothesis::Exchanged) == Approx(variance(Hypothesis::Empty)).epsilon(0.03));
@@ -1238,7 +1244,10 @@ TEST_CASE(
   const auto offset = [&] {
     auto unexplained = silent(arm);
     unexplained.regressor.setZero();
-    return after(bank, arm, unexplained).star(Hypothesis::Exchanged).joint(1).covariance(rme::kOffset, rme::kOffset);
+    return after(bank, arm, unexplained)
+        .star(Hypothesis::Exchanged)
+        .joint(1)
+        .covariance(rme::bank::kOffset, rme::bank::kOffset);
   };
   std::vector<int> renewed;
   double last = offset();
@@ -1336,7 +1345,7 @@ TEST_CASE("HypothesisBank: set_payload replaces the payload, keeps the arm, and 
   arm.pose();
   auto bank = bank_of(arm);
   live(bank, arm, 200, kEmptyHand);
-  const rme::StarGaussian<double, 7> before = bank.star(Hypothesis::Empty);
+  const rme::bank::StarGaussian<double, 7> before = bank.star(Hypothesis::Empty);
   const auto said = box(0.5, {0.01, 0, 0.05});
   const rme::InertialMatrix<double> factor = 0.01 * rme::InertialMatrix<double>::Identity();
   bank.set_payload(said, factor);
@@ -1346,7 +1355,7 @@ TEST_CASE("HypothesisBank: set_payload replaces the payload, keeps the arm, and 
   for (int j = 0; j < 7; ++j) {
     CHECK(steady.nuisance_mean(j).isApprox(before.nuisance_mean(j)));
     CHECK(steady.nuisance_covariance(j).isApprox(before.nuisance_covariance(j)));
-    CHECK(std::abs(steady.nuisance_mean(j)[rme::kOffset] - arm.offset[j]) < 0.05);
+    CHECK(std::abs(steady.nuisance_mean(j)[rme::bank::kOffset] - arm.offset[j]) < 0.05);
   }
   bank.believe(Hypothesis::Steady, 0.999);
   // What was said is right: it stays, and gets sharper.
@@ -1367,14 +1376,14 @@ TEST_CASE("HypothesisBank: reopen_offsets makes the offsets as unsure as before 
   auto bank = bank_of(arm);
   live(bank, arm, 200, kEmptyHand);
   const auto sure = bank.star(Hypothesis::Empty).nuisance_covariance(0);
-  CHECK(sure(rme::kOffset, rme::kOffset) < 0.2 * arm.prior.offset[0] * arm.prior.offset[0]);
+  CHECK(sure(rme::bank::kOffset, rme::bank::kOffset) < 0.2 * arm.prior.offset[0] * arm.prior.offset[0]);
   bank.reopen_offsets();
   for (const Hypothesis h : kAll)
     for (int j = 0; j < 7; ++j)
-      CHECK(bank.star(h).nuisance_covariance(j)(rme::kOffset, rme::kOffset) >=
+      CHECK(bank.star(h).nuisance_covariance(j)(rme::bank::kOffset, rme::bank::kOffset) >=
             arm.prior.offset[j] * arm.prior.offset[j]);
   const auto open = bank.star(Hypothesis::Empty).nuisance_covariance(0);
-  CHECK(open(rme::kOffset, rme::kOffset) - sure(rme::kOffset, rme::kOffset) ==
+  CHECK(open(rme::bank::kOffset, rme::bank::kOffset) - sure(rme::bank::kOffset, rme::bank::kOffset) ==
         Approx(arm.prior.offset[0] * arm.prior.offset[0]));
 }
 
@@ -1434,9 +1443,9 @@ TEST_CASE("HypothesisBank: friction of an empty arm in motion is learned, and a 
     const double share = arm.prior.residual[j];
     const auto mean = star.nuisance_mean(j);
     const auto deviation = star.nuisance_covariance(j).diagonal().cwiseSqrt().eval();
-    CHECK(mean[rme::kCoulomb] == Approx(share * coulomb).margin(0.02 * share));
-    CHECK(mean[rme::kViscous] == Approx(share * viscous).margin(0.05 * share));
-    CHECK(std::abs(mean[rme::kOffset] - arm.offset[j]) < 3.5 * deviation[rme::kOffset] + 0.01 * share);
+    CHECK(mean[rme::bank::kCoulomb] == Approx(share * coulomb).margin(0.02 * share));
+    CHECK(mean[rme::bank::kViscous] == Approx(share * viscous).margin(0.05 * share));
+    CHECK(std::abs(mean[rme::bank::kOffset] - arm.offset[j]) < 3.5 * deviation[rme::bank::kOffset] + 0.01 * share);
   }
   // It stops where it is: what friction held against the motion it holds still, 0.95 of it by the prior.
   auto stopped = turning(0);
@@ -1446,7 +1455,7 @@ TEST_CASE("HypothesisBank: friction of an empty arm in motion is learned, and a 
     take_in(bank, stopped, arm.regime);
     CHECK(bank.probability(Hypothesis::Empty) > 0.9);
   }
-  CHECK(bank.star(Hypothesis::Empty).nuisance_mean(0)[rme::kStiction] ==
+  CHECK(bank.star(Hypothesis::Empty).nuisance_mean(0)[rme::bank::kStiction] ==
         Approx(-0.95 * coulomb * last_sign).margin(0.05));
 }
 
@@ -1473,7 +1482,7 @@ TEST_CASE("HypothesisBank: where others move, what holds a resting joint may jum
         CHECK(std::abs(believed_mass(bank)) < 0.02);
         // It is followed in the block in which it jumps; white noise has 9 mN m.
         const auto nuisances = bank.star(Hypothesis::Empty).nuisance_mean(3);
-        CHECK(nuisances[rme::kOffset] + nuisances[rme::kStiction] + nuisances[rme::kResidual] ==
+        CHECK(nuisances[rme::bank::kOffset] + nuisances[rme::bank::kStiction] + nuisances[rme::bank::kResidual] ==
               Approx(arm.offset[3] + stiction).margin(0.04));
       }
     }

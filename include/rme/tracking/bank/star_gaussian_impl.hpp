@@ -2,9 +2,9 @@
 /// Mixtures of StarGaussian.
 #include <array>
 #include <cstddef>
-#include <rme/tracking/star_gaussian.hpp>
+#include <rme/tracking/bank/star_gaussian.hpp>
 
-namespace rme {
+namespace rme::bank {
 
 /// The star with the moments of a mixture of stars.
 template <typename Scalar, int Dofs>
@@ -74,4 +74,4 @@ StarGaussian<Scalar, Dofs> StarGaussian<Scalar, Dofs>::mix_emptied(const std::ar
   return out;
 }
 
-}  // namespace rme
+}  // namespace rme::bank

@@ -1,0 +1,88 @@
+#pragma once
+/// A payload whose mass changes at an unknown, nearly constant rate.
+#include <algorithm>
+#include <cmath>
+#include <rme/core/small_matrix.hpp>
+#include <rme/core/types.hpp>
+#include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/star_gaussian.hpp>
+
+namespace rme {
+
+/// The rate of (m, m r), part of the state of a filter while something is poured (docs/theory.md (T22)): a Gaussian
+/// that is correlated with the star's x. Real time: nothing allocates.
+template <typename Scalar, int Dofs>
+class Pour {
+ public:
+  using Star = StarGaussian<Scalar, Dofs>;  ///< state of the filter
+
+  /// A pour that nothing is known of.
+  void begin(const Star& star, const PayloadPrior<Scalar>& prior, Scalar rated_payload) noexcept {
+    rate_.setZero();
+    cross_.setZero();
+    covariance_ = stationary(star, prior, rated_payload);
+  }
+  /// Time update of the rate, an Ornstein-Uhlenbeck process about zero, and of the payload, which it changes.
+  /// @param star           state; an empty hand begins to hold something
+  /// @param duration       of the block [s]
+  /// @param prior          of what may be held
+  /// @param rated_payload  [kg]
+  void predict(Star& star, Scalar duration, const PayloadPrior<Scalar>& prior, Scalar rated_payload) noexcept {
+    using std::exp;
+    const Matrix4<Scalar> noise = stationary(star, prior, rated_payload);
+    const Scalar keep = exp(-duration / Scalar(kRateTime));
+    rate_ *= keep;
+    cross_ *= keep;
+    covariance_ *= keep * keep;
+    detail::add_scaled(covariance_, Scalar(1) - keep * keep, noise);
+    InertialMatrix<Scalar> Q = InertialMatrix<Scalar>::Zero();
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k) Q(i, k) = duration * Scalar(kFlowTime) * noise(i, k);
+    const Scalar inertia = Scalar(kRate) * rated_payload * duration * detail::dot(prior.com_mean, prior.com_mean);
+    for (int i = 4; i < kInertial; ++i) Q(i, i) = inertia * inertia;
+    star.drift(duration, rate_, cross_, covariance_, Q);
+  }
+  /// Updates the rate with an observation; to be called before star.observe(j, p).
+  void observe(const Star& star, const typename Star::Prediction& p) noexcept {
+    const Vector4<Scalar> shown = detail::transposed_product(cross_, p.gain_row);  // cov(rate, y)
+    const SharedVector<Scalar> row = star.covariance_row(p);
+    const Vector4<Scalar> gain = detail::scaled(Scalar(1) / p.variance, shown);
+    detail::add_scaled(rate_, p.innovation, gain);
+    detail::add_outer(cross_, detail::scaled(Scalar(-1), row), gain);
+    detail::add_outer(covariance_, detail::scaled(Scalar(-1), shown), gain);
+  }
+  Scalar rate() const noexcept { return rate_[0]; }  ///< of the mass [kg/s]
+
+ private:
+  static constexpr double kRate = 0.03;      // standard deviation of the rate of mass per rated payload [1/s]
+  static constexpr double kRateTime = 3;     // correlation time of the rate [s]
+  static constexpr double kFlowTime = 0.02;  // the flow's own noise: what flows at kRate in this time, each time [s]
+  static constexpr double kSpread = 0.7;     // spread of what is poured about the payload's centre, in com_std
+
+  /// Covariance of the rate before anything is known of it: along the payload's own (m, m r), and about it.
+  static Matrix4<Scalar> stationary(const Star& star, const PayloadPrior<Scalar>& prior, Scalar rated) noexcept {
+    const Scalar sigma = Scalar(kRate) * rated, held = star.mass();
+    Vector4<Scalar> along;
+    along[0] = sigma;
+    for (int i = 0; i < 3; ++i) {
+      const Scalar off = 3 * prior.com_std[i];
+      const Scalar com =
+          held > Scalar(kLightest) * rated ? star.mean()[kPayload + 1 + i] / held - prior.com_mean[i] : Scalar(0);
+      along[1 + i] = sigma * (prior.com_mean[i] + std::max(-off, std::min(off, com)));
+    }
+    Matrix4<Scalar> out = Matrix4<Scalar>::Zero();
+    detail::add_outer(out, along, along);
+    for (int i = 0; i < 3; ++i) {
+      const Scalar s = Scalar(kSpread) * prior.com_std[i] * sigma;
+      out(1 + i, 1 + i) += s * s;
+    }
+    return out;
+  }
+  static constexpr double kLightest = 0.007;  // mass from which the payload's centre is known, per rated payload
+
+  Vector4<Scalar> rate_ = Vector4<Scalar>::Zero();
+  Matrix4<Scalar> covariance_ = Matrix4<Scalar>::Zero();
+  typename Star::Cross cross_ = Star::Cross::Zero();  // cov(x, rate)
+};
+
+}  // namespace rme

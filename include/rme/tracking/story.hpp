@@ -1,0 +1,33 @@
+#pragma once
+/// One account of what has happened to the hand so far, with its filter.
+#include <cmath>
+#include <rme/core/types.hpp>
+#include <rme/tracking/disturbance.hpp>
+#include <rme/tracking/mode.hpp>
+#include <rme/tracking/pour.hpp>
+#include <rme/tracking/star_gaussian.hpp>
+
+namespace rme {
+
+/// A story: what it says of the last block, which payload is held, and the filter that follows from it.
+template <typename Scalar, int Dofs>
+struct Story {
+  StarGaussian<Scalar, Dofs> star;        ///< while changing or disturbed, the payload is as it was before
+  Disturbance<Scalar, Dofs> disturbance;  ///< of Mode::Disturbed
+  Pour<Scalar, Dofs> pour;                ///< of Mode::Pouring
+  Mode mode = Mode::Empty;                ///< of the last block
+  Disturbing how = Disturbing::Hand;      ///< of Mode::Disturbed
+  int payload = 0;                        ///< which payload is held; 0 for none
+  int next = 0;                           ///< Mode::Changing: which payload will be held
+  Scalar log_weight = Scalar(0);          ///< log probability
+  Scalar log_plausible = Scalar(0);       ///< log probability that the mass is plausible, as counted so far
+
+  /// Whether both say the same of the present. They may differ in when it began.
+  bool same(const Story& other) const noexcept {
+    return mode == other.mode && payload == other.payload && (mode != Mode::Disturbed || how == other.how);
+  }
+  /// Whether a payload, or none, explains the last block.
+  bool settled() const noexcept { return mode != Mode::Disturbed && mode != Mode::Changing; }
+};
+
+}  // namespace rme

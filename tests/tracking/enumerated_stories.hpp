@@ -1,0 +1,199 @@
+#pragma once
+/// Stories by brute force: every child of every story, none ever given up, none left out.
+#include <algorithm>
+#include <cmath>
+#include <rme/tracking/histories.hpp>
+#include <vector>
+
+namespace rme::testing {
+
+/// A block of 20 ms in which an arm rests.
+template <typename Scalar, int Dofs>
+TorqueBlock<Scalar, Dofs> block_at_rest(const Eigen::Matrix<Scalar, 6, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
+                                        const JointVector<Scalar, Dofs>& tau) {
+  TorqueBlock<Scalar, Dofs> block;
+  block.duration = Scalar(0.02);
+  block.samples = 20;
+  block.tau = tau;
+  block.torque_rate.setZero();
+  block.regressor =
+      jacobian.transpose() * inertial_wrench_regressor<Scalar>(rotation, {0, 0, Scalar(-9.81)}, FlangeMotion<Scalar>());
+  block.jacobian = jacobian;
+  block.rotation = rotation;
+  block.velocity.setZero();
+  block.velocities.setZero();
+  block.torque_step.setZero();
+  block.velocity_noise.setZero();
+  return block;
+}
+
+/// What Histories computes, without its shortcuts: a list of stories that grows without bound. Payloads are numbered
+/// such that the one that follows payload n is n + 1. Those that say the same of the present are added up, or are not.
+template <int Dofs>
+class EnumeratedStories {
+ public:
+  using H = Histories<double, Dofs>;
+  using Tale = Story<double, Dofs>;
+  using Model = JointTorqueModel<double, Dofs>;
+
+  EnumeratedStories(const H& fresh, const PayloadPrior<double>& prior, double rated, bool adds_up)
+      : prior_(prior), rated_(rated), adds_up_(adds_up) {
+    for (int i = 0; i < 2; ++i) stories.push_back(fresh.story(i));
+  }
+
+  /// Takes in the block that `model` has begun.
+  void advance(const Model& model) {
+    ++blocks_;
+    std::sort(stories.begin(), stories.end(), [](const Tale& a, const Tale& b) { return a.log_weight > b.log_weight; });
+    next_.clear();
+    for (const bool goes_on : {true, false})
+      for (const Tale& parent : stories) children(model, parent, goes_on);
+    double best = -1e30, sum = 0;
+    for (const Tale& s : next_) best = std::max(best, s.log_weight);
+    for (const Tale& s : next_) sum += std::exp(s.log_weight - best);
+    for (Tale& s : next_) s.log_weight -= best + std::log(sum);
+    stories = next_;
+  }
+
+  std::vector<Tale> stories;
+
+ private:
+  void children(const Model& model, const Tale& p, bool goes_on) {
+    const SensingKind& kind = model.kind();
+    const double c = kind.change;
+    const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false) {
+      const bool same = mode == p.mode && !anew && (mode != Mode::Disturbed || how == p.how);
+      if (same == goes_on && probability > 0) add(take_in(model, p, mode, how, anew, std::log(probability)));
+    };
+    const auto disturb = [&] {
+      child(Mode::Disturbed, H::kDisturbs);
+      child(Mode::Disturbed, kind.jolt, Disturbing::Jolt);
+    };
+    if (p.mode == Mode::Empty || p.mode == Mode::Held) {
+      const double pours = (p.mode == Mode::Empty ? H::kFills : H::kPours) * kind.slowly;
+      child(p.mode, 1 - 1.3 * c - H::kDisturbs - kind.jolt - pours);
+      child(Mode::Changing, c);
+      if (p.mode == Mode::Held) child(Mode::Empty, 0.3 * c);
+      disturb();
+      if (blocks_ % 5 == 0) child(Mode::Pouring, 5 * pours);
+    } else if (p.mode == Mode::Pouring) {
+      child(Mode::Pouring, 1 - H::kPourEnds - c - H::kDisturbs - kind.jolt);
+      child(Mode::Held, H::kPourEnds);
+      child(Mode::Changing, c);
+      disturb();
+    } else if (p.mode == Mode::Changing) {
+      child(Mode::Changing, 1 - H::kSettles - H::kEmpties - H::kTurnsOut);
+      child(Mode::Disturbed, H::kTurnsOut);
+      child(Mode::Held, H::kSettles, Disturbing::Hand, true);
+      if (p.payload != 0) child(Mode::Empty, H::kEmpties);
+    } else {
+      const bool jolt = p.how == Disturbing::Jolt, soft = p.how == Disturbing::Growing || p.how == Disturbing::Still;
+      const double ends = jolt ? H::kJoltEnds : soft ? H::kTouchEnds : H::kDisturbEnds;
+      const double turns_out = (soft ? 0.3 : 1) * H::kTurnsOut * std::min(1.0, c / 1e-3);
+      child(Mode::Disturbed, 1 - ends - turns_out - (jolt ? 0 : 2 * H::kOther), p.how);
+      child(p.payload == 0 ? Mode::Empty : Mode::Held, ends);
+      child(Mode::Changing, turns_out);
+      if (jolt) return;
+      for (const Disturbing how : {Disturbing::Hand, Disturbing::Growing, Disturbing::Still})
+        if (how != p.how) child(Mode::Disturbed, H::kOther * (how == Disturbing::Hand ? 1 : kind.slowly), how);
+    }
+  }
+
+  Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, double log_transition) {
+    Tale child = parent;
+    child.mode = mode;
+    child.how = how;
+    model.predict(child.star);
+    child.log_weight += log_transition + likelihood(model, parent, child, anew);
+    return child;
+  }
+  double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew) {
+    const double duration = model.block().duration;
+    double squared;  // of no use here
+    if (child.mode == Mode::Disturbed) {
+      const bool jolt = child.how == Disturbing::Jolt;
+      if (parent.mode == Mode::Disturbed && parent.how != Disturbing::Jolt && !jolt)
+        child.disturbance.predict(child.how, duration, rated_);
+      else
+        child.disturbance.begin(rated_);
+      return child.disturbance.observe(model, child.star, jolt ? H::kJolt : 0, squared);
+    }
+    if (child.mode == Mode::Changing) {
+      child.next = child.payload + 1;
+      auto star = child.star;
+      if (model.kind().draws) return draw(model, star) + plausible(star);
+      Disturbance<double, Dofs> anything;
+      anything.begin(rated_);
+      return anything.observe(model, star, 0, squared);
+    }
+    if (child.mode == Mode::Empty) {
+      child.star.forget_payload();
+      child.payload = 0;
+      child.log_plausible = 0;
+      return observe(model, child.star, nullptr);
+    }
+    double out = 0;
+    if (anew) {
+      child.payload = parent.next;
+      child.log_plausible = 0;
+      out = draw(model, child.star);
+    } else if (child.mode == Mode::Pouring) {
+      if (parent.mode != Mode::Pouring) {
+        child.pour.begin(child.star, prior_, rated_);
+        child.payload = std::max(child.payload, 1);
+      }
+      child.pour.predict(child.star, duration, prior_, rated_);
+      out = observe(model, child.star, &child.pour);
+    } else {
+      out = observe(model, child.star, nullptr);
+    }
+    const double before = child.log_plausible;
+    child.log_plausible = plausible(child.star, child.mode == Mode::Pouring ? 0 : 0.007);
+    return out + child.log_plausible - before;
+  }
+  /// A new payload; its prior is for the mass that this block shows.
+  double draw(const Model& model, StarGaussian<double, Dofs>& star) {
+    star.draw_payload(prior_.mean(), prior_.factor(prior_.square_mass()));
+    auto shown = star;
+    observe(model, shown, nullptr);
+    const double mass = std::clamp(shown.mass(), 0.02 * rated_, rated_);
+    star.draw_payload(prior_.mean(), prior_.factor(mass * mass + shown.variance(kPayload)));
+    return observe(model, star, nullptr);
+  }
+  double observe(const Model& model, StarGaussian<double, Dofs>& star, Pour<double, Dofs>* pour) {
+    const double mass = std::clamp(star.mass(), 0.0, rated_);
+    double out = 0;
+    for (int j = 0; j < Dofs; ++j) {  // no joint's stiction jumps while the arm rests
+      const auto p = star.predict(j, model.observation(j, mass));
+      out -= 0.5 * (p.innovation * p.innovation / p.variance + std::log(p.variance));
+      if (pour != nullptr) pour->observe(star, p);
+      star.observe(j, p);
+    }
+    return out;
+  }
+  double plausible(const StarGaussian<double, Dofs>& star, double lightest = 0.007) const {
+    const double deviation = std::sqrt(std::max(star.variance(kPayload), 1e-12));
+    const auto below = [&](double m) { return 0.5 * std::erfc((star.mass() - m) / deviation / std::sqrt(2.0)); };
+    return std::log(std::max(1e-30, below(1.2 * rated_) - below(lightest * rated_)));
+  }
+  /// Of those that say the same the heavier one's filter lives on.
+  void add(const Tale& child) {
+    for (Tale& s : next_) {
+      if (!adds_up_ || !s.same(child)) continue;
+      const double high = std::max(s.log_weight, child.log_weight);
+      const double sum = high + std::log(std::exp(s.log_weight - high) + std::exp(child.log_weight - high));
+      if (child.log_weight >= s.log_weight) s = child;
+      s.log_weight = sum;
+      return;
+    }
+    next_.push_back(child);
+  }
+
+  PayloadPrior<double> prior_;
+  double rated_;
+  bool adds_up_;
+  long blocks_ = 0;
+  std::vector<Tale> next_;
+};
+
+}  // namespace rme::testing

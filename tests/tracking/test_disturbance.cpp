@@ -1,0 +1,183 @@
+#include <cmath>
+#include <random>
+#include <rme/tracking/disturbance.hpp>
+
+#include "support/catch.hpp"
+#include "support/linear_algebra.hpp"
+
+namespace {
+
+using oracle::Matrix;
+using oracle::Vector;
+using rme::Disturbing;
+using rme::kInertial;
+using rme::kJointNuisances;
+using rme::kShared;
+constexpr int kDofs = 3;
+constexpr double kRated = 3;
+using Star = rme::StarGaussian<double, kDofs>;
+using Model = rme::JointTorqueModel<double, kDofs>;
+using Disturbance = rme::Disturbance<double, kDofs>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// A model in a random block.
+Model random_model(std::mt19937& random) {
+  Model model(rme::kind_of(rme::Sensing::JointFriction), rme::ArmPrior<double, kDofs>::of(kRated), kRated, 0.02,
+              {0, 0, -9.81});
+  rme::TorqueBlock<double, kDofs> block;
+  block.duration = 0.02;
+  block.samples = 20;
+  block.tau = 2 * oracle::random_matrix(random, kDofs, 1);
+  block.torque_rate = oracle::random_matrix(random, kDofs, 1);
+  block.regressor = oracle::random_matrix(random, kDofs, kInertial);
+  block.jacobian = oracle::random_matrix(random, 6, kDofs);
+  block.rotation.setIdentity();
+  block.velocity = oracle::random_matrix(random, kDofs, 1);
+  block.velocities = block.velocity.replicate<1, rme::kBlockParts>();
+  block.torque_step.setZero();
+  block.velocity_noise.setZero();
+  rme::FrictionRegime<double, kDofs> regime;
+  regime.update(block);
+  model.begin(block, regime);
+  return model;
+}
+
+Star random_star(std::mt19937& random) {
+  Star star;
+  star.set_arm(Eigen::Matrix<double, rme::kArmShared, 1>::Constant(0.04));
+  star.draw_payload(oracle::random_matrix(random, kInertial, 1), oracle::random_matrix(random, kInertial, kInertial));
+  for (int j = 0; j < kDofs; ++j) {
+    star.joint(j).mean = oracle::random_matrix(random, kJointNuisances, 1);
+    star.joint(j).slope = oracle::random_matrix(random, kShared, kJointNuisances);
+    star.joint(j).covariance = oracle::square(oracle::random_matrix(random, kJointNuisances, kJointNuisances));
+  }
+  return star;
+}
+
+/// Covariance of a wrench that nothing is known of: 4 N and 0.5 N m per kilogram of what the arm is rated for.
+Matrix6 any_wrench() {
+  rme::Vector6<double> deviation;
+  deviation << 12, 12, 12, 1.5, 1.5, 1.5;
+  return deviation.cwiseAbs2().asDiagonal();
+}
+
+TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of a dense Gaussian, and the payload is kept",
+          "[disturbance]") {
+  const unsigned seed = 560;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (int trial = 0; trial < 10; ++trial) {
+    const double jolt = trial % 2 == 0 ? 0 : 3;
+    CAPTURE(trial, jolt);
+    Star star = random_star(random);
+    Disturbance disturbance;
+    disturbance.begin(kRated);
+    for (int k = 0; k < 3; ++k) {  // from the second block on, something is known of the wrench
+      CAPTURE(k);
+      if (k > 0) disturbance.predict(Disturbing::Hand, 0.02, kRated);
+      const Model model = random_model(random);
+      // tau = h^T x + c^T beta + J^T w + noise. Jointly with x the wrench is not: x keeps its distribution.
+      const Matrix P = star.covariance(), W = disturbance.covariance();
+      const Matrix JT = oracle::transposed(model.block().jacobian);
+      Matrix U(kDofs, kShared), own = Matrix::Zero(kDofs, kDofs);
+      Vector e(kDofs);
+      for (int j = 0; j < kDofs; ++j) {
+        const auto o = model.observation(j, star.mass());
+        const auto& joint = star.joint(j);
+        U.row(j) = (o.h + joint.slope * o.c).transpose();
+        const double shaken = jolt * model.arm().residual[j];
+        own(j, j) = o.c.dot(joint.covariance * o.c) + o.noise + shaken * shaken;
+        e[j] = o.torque - o.c.dot(joint.mean) - U.row(j).dot(star.mean());
+      }
+      const Matrix S = oracle::congruence(U, P) + oracle::congruence(JT, W) + own;
+      const Vector surprise = e - oracle::product(JT, disturbance.mean());
+      const Matrix gain = oracle::transposed(oracle::solve(S, oracle::product(JT, W)));
+      const Vector mean = disturbance.mean() + oracle::product(gain, surprise);
+      const Matrix covariance = W - oracle::product(gain, oracle::product(JT, W));
+      const Star before = star;
+      const Vector known_before = disturbance.mean();
+      double squared = 0, expected_square = 0;
+      const double log_likelihood = disturbance.observe(model, star, jolt, squared);
+      CHECK(log_likelihood == Approx(oracle::log_normal(surprise, S)).epsilon(1e-9));
+      CHECK((disturbance.mean() - mean).norm() < 1e-9 * mean.norm());
+      CHECK((disturbance.covariance() - covariance).norm() < 1e-9 * W.norm());
+      // Given x, and the wrench as it was known, each joint's nuisances learn from what is left. The wrench's error is
+      // the same in twelve blocks.
+      for (int j = 0; j < kDofs; ++j) {
+        CAPTURE(j);
+        const auto o = model.observation(j, before.mass());
+        auto expected = before.joint(j);
+        const auto p = before.predict(j, o);
+        expected_square += p.innovation * p.innovation / p.variance;
+        const double known = 12 * JT.row(j).dot(W * JT.row(j).transpose());
+        const Vector K = expected.covariance * o.c / (own(j, j) + known);
+        const double left = o.torque - JT.row(j).dot(known_before) - o.c.dot(expected.mean);
+        expected.slope -= U.row(j).transpose() * K.transpose();
+        expected.mean += K * left;
+        expected.covariance -= K * o.c.transpose() * before.joint(j).covariance;
+        CHECK((star.joint(j).mean - expected.mean).norm() < 1e-9 * expected.mean.norm());
+        CHECK((star.joint(j).slope - expected.slope).norm() < 1e-9 * expected.slope.norm());
+        CHECK((star.joint(j).covariance - expected.covariance).norm() < 1e-9 * expected.covariance.norm());
+      }
+      CHECK(squared == Approx(expected_square));
+      CHECK(star.mean() == before.mean());
+      CHECK(star.covariance() == before.covariance());
+    }
+  }
+}
+
+TEST_CASE("Disturbance: a hand trembles, a growing wrench grows along itself, a still one stays", "[disturbance]") {
+  const unsigned seed = 561;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const auto after = [&](Disturbing how, double duration) {
+    std::mt19937 same = random;
+    Disturbance disturbance;
+    disturbance.begin(kRated);
+    Star star = random_star(same);
+    double squared;
+    disturbance.observe(random_model(same), star, 0, squared);
+    const Disturbance before = disturbance;
+    disturbance.predict(how, duration, kRated);
+    CHECK(disturbance.mean() == before.mean());
+    const Matrix6 added = disturbance.covariance() - before.covariance();
+    return std::pair(added, before.mean());
+  };
+  for (const double duration : {0.02, 0.06}) {
+    CHECK(after(Disturbing::Still, duration).first.isZero(0));
+    const Matrix6 hand = after(Disturbing::Hand, duration).first, tremble = 0.01 * duration / 0.02 * any_wrench();
+    CHECK((hand - tremble).norm() < 1e-9 * tremble.norm());
+    const auto [growing, wrench] = after(Disturbing::Growing, duration);
+    REQUIRE(wrench.head<3>().cwiseAbs().maxCoeff() > 1);
+    // Of rank one but for a tremble that is a five hundredth of a hand's.
+    const Matrix6 own = 4e-8 * duration / 0.02 * any_wrench();
+    const double along = (growing - own).trace() / wrench.squaredNorm();
+    CHECK((growing - own - along * wrench * wrench.transpose()).norm() < 1e-9 * growing.norm());
+    CHECK(along > 0);
+    CHECK(growing.trace() < tremble.trace());
+  }
+  Disturbance disturbance;
+  disturbance.begin(kRated);
+  CHECK((disturbance.covariance() - any_wrench()).norm() < 1e-9);
+  CHECK(disturbance.mean().isZero(0));
+}
+
+TEST_CASE("Disturbance: a torque that is no number has no likelihood, and one that is huge has a finite one",
+          "[disturbance]") {
+  const unsigned seed = 562;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const Model model = random_model(random);
+  for (const double offset : {1e100, std::nan("")}) {
+    Star star = random_star(random);
+    star.joint(1).mean[rme::kOffset] = offset;
+    Disturbance disturbance;
+    disturbance.begin(kRated);
+    double squared;
+    const double log_likelihood = disturbance.observe(model, star, 0, squared);
+    CHECK(std::isfinite(log_likelihood) == std::isfinite(offset));
+    if (std::isfinite(offset)) CHECK(star.finite());
+  }
+}
+
+}  // namespace

@@ -1,0 +1,143 @@
+#include <cmath>
+#include <random>
+#include <rme/tracking/pour.hpp>
+
+#include "support/catch.hpp"
+#include "support/linear_algebra.hpp"
+
+namespace {
+
+using oracle::Matrix;
+using oracle::Vector;
+using rme::kInertial;
+using rme::kPayload;
+using rme::kShared;
+constexpr int kDofs = 2;
+constexpr double kRated = 3, kBlock = 0.02;
+using Star = rme::StarGaussian<double, kDofs>;
+using Pour = rme::Pour<double, kDofs>;
+
+const rme::PayloadPrior<double>& prior() {
+  static const auto out = rme::PayloadPrior<double>::of(kRated);
+  return out;
+}
+
+/// Holds `mass`, known to a gram, with its centre of mass in the prior's place.
+Star holding(double mass) {
+  Star star;
+  rme::InertialVector<double> mean = rme::InertialVector<double>::Zero();
+  mean[0] = mass;
+  mean.segment<3>(1) = mass * prior().com_mean;
+  star.draw_payload(mean, 1e-3 * rme::InertialMatrix<double>::Identity());
+  return star;
+}
+
+/// A block in which joint j weighs the payload, on a lever that changes.
+rme::JointObservation<double> weighing(double mass, int k, double noise) {
+  rme::JointObservation<double> o;
+  o.h.setZero();
+  o.c.setZero();
+  o.h[kPayload] = -9.81 * (0.3 + 0.1 * std::sin(0.7 * k));
+  o.h[kPayload + 3] = 9.81 * std::cos(0.3 * k);
+  o.torque = o.h[kPayload] * mass + o.h[kPayload + 3] * mass * prior().com_mean[2];
+  o.noise = noise * noise;
+  return o;
+}
+
+TEST_CASE("Pour: payload and rate are what one dense filter over both makes of random torques", "[pour]") {
+  // A Gaussian over (x, r), r the rate of (m, m r): r decays in 3 s towards zero, with a noise that keeps its spread;
+  // (m, m r) moves by r dt, and the flow's own noise is what flows in 0.02 s at its spread.
+  const unsigned seed = 570;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (const double mass : {0.0, 0.8}) {
+    CAPTURE(mass);
+    Star star = mass > 0 ? holding(mass) : Star();
+    const auto stationary = [&] {  // along the payload's own (m, m r), and 0.7 of the prior's spread about it
+      const double sigma = 0.03 * kRated, held = star.mass();
+      rme::Vector4<double> along(1, 0, 0, 0);
+      along.tail<3>() =
+          held > 0.007 * kRated ? rme::Vector3<double>(star.mean().segment<3>(kPayload + 1) / held) : prior().com_mean;
+      rme::Matrix4<double> out = sigma * sigma * along * along.transpose();
+      for (int i = 0; i < 3; ++i) out(1 + i, 1 + i) += std::pow(0.7 * prior().com_std[i] * sigma, 2);
+      return out;
+    };
+    Vector mean = Vector::Zero(kShared + 4);
+    Matrix P = Matrix::Zero(kShared + 4, kShared + 4);
+    mean.head(kShared) = star.mean();
+    P.topLeftCorner(kShared, kShared) = star.covariance();
+    P.bottomRightCorner(4, 4) = stationary();
+    Pour pour;
+    pour.begin(star, prior(), kRated);
+    for (int k = 0; k < 40; ++k) {
+      CAPTURE(k);
+      const double keep = std::exp(-kBlock / 3);
+      const rme::Matrix4<double> noise = stationary();
+      Matrix T = Matrix::Identity(kShared + 4, kShared + 4);
+      T.bottomRightCorner(4, 4) *= keep;
+      T.block<4, 4>(kPayload, kShared) = kBlock * keep * rme::Matrix4<double>::Identity();
+      mean = oracle::product(T, mean);
+      P = oracle::congruence(T, P);
+      // The rate's new noise already moves the payload in this block.
+      Matrix G = Matrix::Zero(kShared + 4, 4);
+      G.block<4, 4>(kPayload, 0) = kBlock * rme::Matrix4<double>::Identity();
+      G.bottomRows(4).setIdentity();
+      P += oracle::congruence(G, (1 - keep * keep) * noise);
+      P.block<4, 4>(kPayload, kPayload) += kBlock * 0.02 * noise;
+      const double inertia = 0.03 * kRated * kBlock * prior().com_mean.squaredNorm();
+      for (int i = 4; i < kInertial; ++i) P(kPayload + i, kPayload + i) += inertia * inertia;
+      pour.predict(star, kBlock, prior(), kRated);
+      for (int j = 0; j < kDofs; ++j) {
+        rme::JointObservation<double> o{0.1 * oracle::random_matrix(random, 1, 1)(0, 0),
+                                        oracle::random_matrix(random, kShared, 1),
+                                        rme::JointNuisanceVector<double>::Zero(), 0.01};
+        o.h.head<rme::kArmShared>().setZero();
+        Vector row = Vector::Zero(kShared + 4);
+        row.head(kShared) = o.h;
+        const Vector cross = P * row;
+        const double variance = row.dot(cross) + o.noise;
+        mean += cross * (o.torque - row.dot(mean)) / variance;
+        P -= cross * cross.transpose() / variance;
+        const auto p = star.predict(j, o);
+        pour.observe(star, p);
+        star.observe(j, p);
+      }
+      CHECK(std::abs(pour.rate() - mean[kShared]) < 1e-9);
+      CHECK((star.mean() - mean.head(kShared)).norm() < 1e-9);
+      CHECK((star.covariance() - P.topLeftCorner(kShared, kShared)).norm() < 1e-9 * P.norm());
+      if (std::abs(star.mass()) < 0.022 && std::abs(star.mass()) > 0.02) break;  // where the rule changes
+    }
+  }
+}
+
+TEST_CASE("Pour: a steady flow is followed in mass and rate, into an empty hand, into a held thing and out of it",
+          "[pour]") {
+  const unsigned seed = 571;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  for (const auto& [start, rate] : {std::pair(0.0, 0.1), std::pair(0.5, 0.05), std::pair(1.0, -0.08)}) {
+    CAPTURE(start, rate);
+    Star star = start > 0 ? holding(start) : Star();
+    Pour pour;
+    pour.begin(star, prior(), kRated);
+    double mass = start;
+    for (int k = 0; k < 250; ++k) {
+      mass += rate * kBlock;
+      pour.predict(star, kBlock, prior(), kRated);
+      for (int j = 0; j < kDofs; ++j) {
+        auto o = weighing(mass, 2 * k + j, 0.02);
+        o.torque += 0.02 * normal(random);
+        const auto p = star.predict(j, o);
+        pour.observe(star, p);
+        star.observe(j, p);
+      }
+    }
+    REQUIRE(star.finite());
+    CHECK(star.mass() == Approx(mass).margin(0.01));
+    CHECK(std::abs(star.mass() - mass) < 4 * std::sqrt(star.variance(kPayload)));
+    CHECK(pour.rate() == Approx(rate).margin(0.025));
+  }
+}
+
+}  // namespace
