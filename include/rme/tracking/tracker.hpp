@@ -161,6 +161,7 @@ class Tracker {
   // The residual of a rough model is the same again wherever the arm comes back to, but its filters treat it as new. So
   // they are too certain: the reported standard deviations are 1.5 times theirs (docs/theory.md, "Friction").
   static constexpr double kRoughSpread = 1.5;
+  static constexpr double kGain = 0.02;    // relative error of a rough model's torque: no payload is known better
   static constexpr double kAcross = 0.15;  // share of a link's error that counts across the last joint's axis (T28)
   // Largest difference between the log probabilities of two kinds [nats]: small enough that an arm which was changed,
   // for example at a service, is recognised after some seconds of motion.
@@ -240,7 +241,12 @@ class Tracker {
       use(
           rough_.story(i).mode, share[kBanks] * rough_.weight(i), rough_.holds(i),
           [&] { return rough_.payload(i).mean; },
-          [&] { return detail::scaled(Scalar(kRoughSpread * kRoughSpread), rough_.payload(i).covariance); });
+          [&] {
+            const InertialGaussian<Scalar> payload = rough_.payload(i);
+            InertialMatrix<Scalar> P = detail::scaled(Scalar(kRoughSpread * kRoughSpread), payload.covariance);
+            detail::add_outer(P, detail::scaled(Scalar(kGain * kGain), payload.mean), payload.mean);
+            return P;
+          });
     }
   }
 
