@@ -16,6 +16,8 @@ TEST_CASE("to_string: every status has the name of its enumerator, and no other 
   CHECK(rme::to_string(Status::NotConverged) == std::string("NotConverged"));
   CHECK(rme::to_string(Status::Infeasible) == std::string("Infeasible"));
   CHECK(rme::to_string(Status::CapacityExceeded) == std::string("CapacityExceeded"));
+  CHECK(rme::to_string(Status::NotAMeasurement) == std::string("NotAMeasurement"));
+  CHECK(rme::to_string(Status::Unbounded) == std::string("Unbounded"));
   CHECK(rme::to_string(Status(200)) == std::string("unknown"));
 }
 
