@@ -68,8 +68,12 @@ class LinearProgram {
  private:
   static constexpr int kHeld = -1;
   static constexpr Scalar kEpsilon = std::numeric_limits<Scalar>::epsilon();
-  /// Cosines below this are rounding.
-  static constexpr Scalar kParallel = 128 * kEpsilon;
+  /// An edge along which c.x grows by less, per unit of way and of |c|, is level.
+  static constexpr Scalar kLevel = 128 * kEpsilon;
+  /// A row whose normal is so nearly perpendicular to the way is not in the way: as an active row it would be one in
+  /// name only, as dependent on the others as rounding lets it. epsilon^(2/3); what is found may be missed by a row by
+  /// so much of the way, outwards.
+  static constexpr Scalar kParallel = Scalar(kEpsilon < Scalar(1e-10) ? 4e-11 : 2.5e-5);
 
   struct Step {
     int row = kHeld;  // that is in the way; kHeld if none is
@@ -220,7 +224,7 @@ Status LinearProgram<Scalar, Size, MaxRows>::maximise(const Vector& c, Result& r
   if (!started_) return Status::NotReady;
   Scalar squared = Scalar(0);
   for (int k = 0; k < Size; ++k) squared += c[k] * c[k];
-  const Scalar least = kParallel * sqrt(squared);
+  const Scalar least = kLevel * sqrt(squared);
   for (int pivots = 0;; ++pivots) {
     const bool bland = pivots > kMaxPivots / 2;
     // Multipliers, and the growth of c.x per unit of way along each edge.
@@ -252,17 +256,18 @@ Status LinearProgram<Scalar, Size, MaxRows>::maximise(const Vector& c, Result& r
       }
     }
     if (slot == kHeld) {  // no edge leads up
-      Scalar value = Scalar(0), terms = Scalar(0);
-      for (int k = 0; k < Size; ++k) value += c[k] * x_[k];
+      Scalar value = Scalar(0), length = Scalar(0), terms = Scalar(0);
       for (int k = 0; k < Size; ++k) {
+        value += c[k] * x_[k];
+        length += abs(x_[k]);
         const int row = active_[static_cast<std::size_t>(k)];
         Scalar magnitude = abs(row == kHeld ? start_[k] : bound(row));
         for (int i = 0; i < Size; ++i) magnitude += abs((row == kHeld ? Scalar(i == k) : coefficient(row, i)) * x_[i]);
-        // An edge that seems level may lead up by less than rounding shows.
-        const bool level = k < free_ && (row == kHeld || multiplier[k] < 0);
-        terms += (level ? Scalar(2) : 64 * kEpsilon) * abs(multiplier[k]) * magnitude;
+        terms += abs(multiplier[k]) * magnitude;
       }
-      result = {x_, value, value + terms, pivots};
+      // Rounding of the terms, and edges that are level only by rounding, with x for their length.
+      const Scalar margin = 4 * kEpsilon * terms + 2 * least * length;
+      result = {x_, value, value + margin, pivots};
       return Status::Ok;
     }
     if (pivots == kMaxPivots) return Status::NotConverged;

@@ -128,7 +128,7 @@ class PayloadEnclosure {
   }
 
  private:
-  // The unknowns of the program are (m, m r, s): s is the factor of the stated bounds.
+  // The unknowns of the program are (m, m r, unit_ s): s is the factor of the stated bounds.
   static constexpr int kSize = 5;
   static constexpr int kPairs = MaxPoses * (3 * MaxPoses - 1) / 2;  // of readings, at least one of them loaded
   static constexpr int kRows = 2 * Dofs * (kPairs + MaxPoses) + 9;
@@ -163,6 +163,7 @@ class PayloadEnclosure {
   Status com_end(int axis, Scalar sign, Scalar lightest, Scalar& upper) noexcept;
 
   Config config_;
+  Scalar unit_;  // that makes the coefficients of s as large as those of the payload
   std::array<Reading, kReadings> readings_;
   int count_ = 0, poses_ = 0;
   bool ready_ = false;              // some row has a payload
@@ -192,6 +193,7 @@ PayloadEnclosure<Scalar, Dofs, MaxPoses>::PayloadEnclosure(const Config& config)
     require(config.com_upper[i] > -kNone && config.com_upper[i] >= config.com_lower[i],
             "PayloadEnclosureConfig::com_upper", ">= com_lower", config.com_upper[i]);
   }
+  unit_ = config.drift.minCoeff() / 10;  // an arm's A has some 10 N m/kg
   clear();
 }
 
@@ -283,7 +285,7 @@ void PayloadEnclosure<Scalar, Dofs, MaxPoses>::constrain(const Reading& a, const
         if (arm < kNone) terms += config_.mass_limit * arm * (abs(a.A(j, i)) + (b ? abs(b->A(j, i)) : Scalar(0)));
       }
     }
-    error += 4 * kEpsilon * terms;
+    error += 2 * kEpsilon * terms;
     const bool a_loaded = a.loaded, b_loaded = b && b->loaded;
     if (!a_loaded && !b_loaded) {
       least_scale_ = std::max(least_scale_, abs(difference) / error);
@@ -308,7 +310,7 @@ void PayloadEnclosure<Scalar, Dofs, MaxPoses>::constrain(const Vector4<Scalar>& 
   const Scalar middle = (lower + upper) / 2, half = (upper - lower) / 2;
   Unknowns coefficients;
   for (int i = 0; i < 4; ++i) coefficients[i] = row[i];
-  coefficients[4] = -half;
+  coefficients[4] = -half / unit_;
   constrain(coefficients, middle);
   for (int i = 0; i < 4; ++i) coefficients[i] = -row[i];
   constrain(coefficients, -middle);
@@ -320,16 +322,16 @@ void PayloadEnclosure<Scalar, Dofs, MaxPoses>::constrain(const Vector4<Scalar>& 
 template <typename Scalar, int Dofs, int MaxPoses>
 Status PayloadEnclosure<Scalar, Dofs, MaxPoses>::find_start(Scalar& scale) noexcept {
   Unknowns point = Unknowns::Zero();
-  point[4] = loosest_;
+  point[4] = unit_ * loosest_;
   Status status = program_.start(point);
   if (status != Status::Ok) return status;
   typename decltype(program_)::Result least;
   status = program_.maximise(-Unknowns::Unit(4), least);
   if (status != Status::Ok) return status;
-  scale = std::max(-least.value, least_scale_);
+  scale = std::max(-least.value / unit_, least_scale_);
   // Empty only if that is certain: -upper is a lower bound of the least s.
-  if (std::max(-least.upper, least_scale_) > 1) return Status::Infeasible;
-  least.x[4] = std::max(least.x[4], Scalar(1));
+  if (std::max(-least.upper / unit_, least_scale_) > 1) return Status::Infeasible;
+  least.x[4] = std::max(least.x[4], unit_);
   return program_.start(least.x, 1);
 }
 
