@@ -2,6 +2,8 @@
 /// Readings of a Panda at rest whose errors stay within stated bounds, drawn term by term as docs/theory.md (T46) has
 /// them.
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <rme/inference/payload_enclosure.hpp>
 #include <synthetic_arm/panda.hpp>
@@ -38,8 +40,9 @@ struct Trial {
   }
 };
 
-/// How large the errors are, as shares of their bounds.
-enum class Errors { AtBounds, WithinBounds };
+/// How the errors are distributed: at either bound, evenly between the bounds, or Gaussian with a third of the bound for
+/// a standard deviation, cut off at the bound.
+enum class Errors { AtBounds, WithinBounds, Gaussian };
 
 inline PayloadRegressor<double, 7> panda_regressor(const Torque7& q) {
   const auto at = examples::panda().kinematics(q);
@@ -59,9 +62,12 @@ inline Torque7 random_pose_near_ready(std::mt19937_64& random) {
 inline Trial random_trial(std::mt19937_64& random, const PayloadEnclosureConfig<double, 7>& config, int poses,
                           Errors errors, double factor = 1) {
   std::uniform_real_distribution<double> u(-1, 1);
+  std::normal_distribution<double> normal;
   const auto error = [&](double bound) {
-    const double x = u(random), size = std::isfinite(bound) ? bound : 1;
-    return factor * size * (errors == Errors::WithinBounds ? x : x > 0 ? 1 : -1);
+    const double size = factor * (std::isfinite(bound) ? bound : 1);
+    if (errors == Errors::Gaussian) return size * std::clamp(normal(random) / 3, -1.0, 1.0);
+    const double x = u(random);
+    return size * (errors == Errors::WithinBounds ? x : x > 0 ? 1 : -1);
   };
   Trial trial;
   trial.truth.mass = 1.35 + 1.15 * u(random);
