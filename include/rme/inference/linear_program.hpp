@@ -231,7 +231,7 @@ Status LinearProgram<Scalar, Size, MaxRows>::maximise(const Vector& c, Result& r
     Vector multiplier;
     int slot = kHeld;
     bool held = false;
-    Scalar best = Scalar(0), norm = Scalar(1);
+    Scalar best = Scalar(0), norm = Scalar(1), level = Scalar(0);
     for (int k = 0; k < Size; ++k) {
       Scalar length = Scalar(0);
       multiplier[k] = Scalar(0);
@@ -243,6 +243,7 @@ Status LinearProgram<Scalar, Size, MaxRows>::maximise(const Vector& c, Result& r
       length = sqrt(length);
       const bool is_held = active_[static_cast<std::size_t>(k)] == kHeld;
       const Scalar growth = (is_held ? abs(multiplier[k]) : -multiplier[k]) / length;
+      if (growth > 0) level += growth;
       if (!(growth > least) || (held && !is_held)) continue;
       const bool first = slot == kHeld || (is_held && !held);
       const bool better = bland && !is_held
@@ -266,7 +267,7 @@ Status LinearProgram<Scalar, Size, MaxRows>::maximise(const Vector& c, Result& r
         terms += abs(multiplier[k]) * magnitude;
       }
       // Rounding of the terms, and edges that are level only by rounding, with x for their length.
-      const Scalar margin = 4 * kEpsilon * terms + 2 * least * length;
+      const Scalar margin = 4 * kEpsilon * terms + 2 * level * length;
       result = {x_, value, value + margin, pivots};
       return Status::Ok;
     }
