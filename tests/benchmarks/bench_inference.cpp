@@ -4,12 +4,14 @@
 #include <random>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/mean_field.hpp>
+#include <rme/inference/payload_enclosure.hpp>
 #include <rme/inference/published_likelihood.hpp>
 #include <rme/inference/stochastic_vi.hpp>
 #include <rme/inference/variational_inference.hpp>
 #include <rme/sensing/mismatch_detector.hpp>
 #include <rme/sensing/proprioception.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
+#include <string>
 #include <vector>
 
 #include "benchmarks/stopwatch.hpp"
@@ -97,4 +99,43 @@ int main(int argc, char** argv) {
     (void)published_likelihood<double, kDofs>(static_cast<int>(samples.size()), at, likelihood);
     benchmarks::keep(likelihood);
   });
+
+  // Of one pose, and of three in which all readings count against each other; errors are within their bounds.
+  benchmarks::print_head("Enclosure, 7 joints, double");
+  PayloadEnclosureConfig<double, kDofs> config;
+  config.drift.setConstant(0.06);
+  config.mass_limit = 3;
+  config.com_lower.setConstant(-0.25);
+  config.com_upper.setConstant(0.25);
+  config.link.setConstant(0.1);
+  using Enclosure = PayloadEnclosure<double, kDofs, 3>;
+  const Payload<double> held{1.1, {0.05, 0.02, 0.13}};
+  std::uniform_real_distribution<double> within(-0.06, 0.06);
+  for (const int poses : {1, 3}) {
+    std::vector<Enclosure> enclosures;
+    for (int k = 0; k < 200; ++k) {
+      Enclosure enclosure(config);
+      for (int p = 0; p < poses; ++p) {
+        const auto [J, R] = testing::random_pose(random);
+        const auto regressor = payload_regressor<double, kDofs>(J, R, standard_gravity<double>());
+        JointVector<double, kDofs> error;
+        for (int j = 0; j < kDofs; ++j) error[j] = within(random);
+        const JointVector<double, kDofs> before = JointVector<double, kDofs>::Constant(0.3);
+        (void)enclosure.add_change(before, before + regressor.torque(held) + error, regressor);
+      }
+      enclosures.push_back(enclosure);
+    }
+    const std::string of = poses == 1 ? ", one pose" : ", three poses";
+    benchmarks::measure("PayloadEnclosure::solve" + of, runs, 1, [&](std::size_t i) {
+      PayloadBox<double> box;
+      (void)enclosures[i % enclosures.size()].solve(box);
+      benchmarks::keep(box);
+    });
+    const auto regressor = payload_regressor<double, kDofs>(pose.jacobian, pose.rotation, standard_gravity<double>());
+    benchmarks::measure("PayloadEnclosure::range, torque of 7 joints" + of, runs, 1, [&](std::size_t i) {
+      JointVector<double, kDofs> lower, upper;
+      (void)enclosures[i % enclosures.size()].range(regressor, lower, upper);
+      benchmarks::keep(upper);
+    });
+  }
 }

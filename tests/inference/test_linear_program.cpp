@@ -117,7 +117,7 @@ TEST_CASE("LinearProgram: what nothing bounds is Unbounded, and what a strip bou
   CHECK(program.maximise(Vector2(-1, 0), result) == Status::Unbounded);
 }
 
-TEST_CASE("LinearProgram: no vertex comes back where many rows meet", "[linear_program]") {
+TEST_CASE("LinearProgram: the maximum is found where many rows meet", "[linear_program]") {
   // Beale's program, on which the rule of the steepest gradient cycles: the largest 3/4 x1 - 150 x2 + 1/50 x3 - 6 x4 is
   // 1/20, at (1/25, 0, 1, 0).
   rme::LinearProgram<double, 4, 8> beale;

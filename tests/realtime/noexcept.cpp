@@ -3,6 +3,7 @@
 #include <rme/core/ring_buffer.hpp>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/mean_field.hpp>
+#include <rme/inference/payload_enclosure.hpp>
 #include <rme/inference/published_likelihood.hpp>
 #include <rme/inference/stochastic_vi.hpp>
 #include <rme/published/published_pipeline.hpp>
@@ -93,6 +94,17 @@ struct Loop {
   static_assert(noexcept(rme::infer_payload(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::ExactQuadrature())));
   static_assert(noexcept(rme::infer_payload(a<Likelihood>(), a<Gaussian>(), my<Result>(), rme::StochasticViConfig(),
                                             my<std::mt19937_64>())));
+  using Enclosure = rme::PayloadEnclosure<Scalar, Dofs>;
+  using Regressor = rme::PayloadRegressor<Scalar, Dofs>;
+  static_assert(noexcept(my<Enclosure>().add_change(a<Vector>(), a<Vector>(), a<Regressor>())));
+  static_assert(noexcept(my<Enclosure>().add_loaded(a<Vector>(), a<Regressor>())));
+  static_assert(noexcept(my<Enclosure>().add_empty(a<Vector>())) && noexcept(my<Enclosure>().clear()));
+  static_assert(noexcept(my<Enclosure>().solve(my<rme::PayloadBox<Scalar>>())));
+  static_assert(noexcept(my<Enclosure>().range(a<Regressor>(), my<Vector>(), my<Vector>())));
+  using Program = rme::LinearProgram<Scalar, 3, 20>;
+  static_assert(noexcept(my<Program>().add(a<Vector3>(), Scalar(0))) && noexcept(my<Program>().clear()));
+  static_assert(noexcept(my<Program>().start(a<Vector3>())));
+  static_assert(noexcept(my<Program>().maximise(a<Vector3>(), my<rme::LinearProgramResult<Scalar, 3>>())));
 
   // control
   using Flow = rme::Flow<Scalar>;

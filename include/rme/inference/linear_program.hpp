@@ -26,8 +26,8 @@ struct LinearProgramResult {
 /// At each vertex, Size rows are active. One of them is left along the edge on which c.x grows fastest, up to the first
 /// row in the way. An unknown that no row holds yet is held where it was at the start, and is let go first; so neither
 /// rank nor vertices are asked for, and a set without a vertex (a strip, a half space) is no special case. The inverse
-/// of the active rows is refined at each step, so that errors do not add up. In degenerate cases the rule of Bland
-/// follows the steepest edge, so that no vertex comes back.
+/// of the active rows is refined at each step, so that errors do not add up. No rule keeps a degenerate vertex from
+/// coming back; with the steepest edge none has been seen to, and the number of steps is bounded.
 ///
 /// A point to start from is the caller's affair. With an unknown more that loosens all rows any point will do, and the
 /// least value of that unknown says whether the rows can be kept, as in PayloadEnclosure.
@@ -89,7 +89,7 @@ class LinearProgram {
     return a_[static_cast<std::size_t>(k)][static_cast<std::size_t>(row)];
   }
   Scalar bound(int row) const noexcept { return b_[static_cast<std::size_t>(row)]; }
-  Step first_in_the_way(const Vector& direction, bool bland) noexcept;
+  Step first_in_the_way(const Vector& direction) noexcept;
   void exchange(int slot, int row) noexcept;
 
   // By unknown, then by row, so that the loops over all rows run over neighbours.
@@ -136,10 +136,9 @@ Status LinearProgram<Scalar, Size, MaxRows>::start(const Vector& x, int held) no
 }
 
 /// The row that the point meets first. A row that is missed by rounding alone may be passed, so that of rows met at
-/// nearly the same point the steepest is taken: the active rows stay well apart. With Bland's rule it is the first in
-/// order.
+/// nearly the same point the steepest is taken: the active rows stay well apart.
 template <typename Scalar, int Size, int MaxRows>
-auto LinearProgram<Scalar, Size, MaxRows>::first_in_the_way(const Vector& direction, bool bland) noexcept -> Step {
+auto LinearProgram<Scalar, Size, MaxRows>::first_in_the_way(const Vector& direction) noexcept -> Step {
   using std::abs;
   Scalar magnitude = Scalar(0);  // of a.x, with |a| = 1
   for (int k = 0; k < Size; ++k) magnitude += abs(x_[k]);
@@ -157,7 +156,7 @@ auto LinearProgram<Scalar, Size, MaxRows>::first_in_the_way(const Vector& direct
   for (std::size_t i = 0; i < rows; ++i) {
     if (!(slope_[i] > kParallel)) continue;
     if (room_[i] < 0) room_[i] = Scalar(0);
-    const Scalar loose = bland ? room_[i] : room_[i] + 16 * kEpsilon * (abs(b_[i]) + magnitude);
+    const Scalar loose = room_[i] + 16 * kEpsilon * (abs(b_[i]) + magnitude);
     if (loose * slope < room * slope_[i]) {
       room = loose;
       slope = slope_[i];
@@ -168,7 +167,6 @@ auto LinearProgram<Scalar, Size, MaxRows>::first_in_the_way(const Vector& direct
   Scalar steepest = Scalar(0);
   for (std::size_t i = 0; i < rows; ++i) {
     if (!(slope_[i] > kParallel) || room_[i] * slope > room * slope_[i]) continue;
-    if (bland && step.row != kHeld) break;
     if (slope_[i] > steepest) {
       steepest = slope_[i];
       step = {static_cast<int>(i), room_[i] / slope_[i]};
@@ -226,7 +224,6 @@ Status LinearProgram<Scalar, Size, MaxRows>::maximise(const Vector& c, Result& r
   for (int k = 0; k < Size; ++k) squared += c[k] * c[k];
   const Scalar least = kLevel * sqrt(squared);
   for (int pivots = 0;; ++pivots) {
-    const bool bland = pivots > kMaxPivots / 2;
     // Multipliers, and the growth of c.x per unit of way along each edge.
     Vector multiplier;
     int slot = kHeld;
@@ -245,11 +242,7 @@ Status LinearProgram<Scalar, Size, MaxRows>::maximise(const Vector& c, Result& r
       const Scalar growth = (is_held ? abs(multiplier[k]) : -multiplier[k]) / length;
       if (growth > 0) level += growth;
       if (!(growth > least) || (held && !is_held)) continue;
-      const bool first = slot == kHeld || (is_held && !held);
-      const bool better = bland && !is_held
-                              ? !first && active_[static_cast<std::size_t>(k)] < active_[static_cast<std::size_t>(slot)]
-                              : growth > best;
-      if (first || better) {
+      if (growth > best || (is_held && !held)) {
         slot = k;
         held = is_held;
         best = growth;
@@ -275,7 +268,7 @@ Status LinearProgram<Scalar, Size, MaxRows>::maximise(const Vector& c, Result& r
     const Scalar sign = held && multiplier[slot] > 0 ? Scalar(1) : Scalar(-1);
     Vector direction;
     for (int i = 0; i < Size; ++i) direction[i] = sign / norm * D_(i, slot);
-    const Step step = first_in_the_way(direction, bland);
+    const Step step = first_in_the_way(direction);
     if (step.row == kHeld) return Status::Unbounded;
     for (int i = 0; i < Size; ++i) x_[i] += step.length * direction[i];
     exchange(slot, step.row);

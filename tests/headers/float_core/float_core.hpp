@@ -18,7 +18,7 @@ struct Case {
   bool (*passes)();
 };
 
-extern const std::vector<Case> kSensing, kInference, kMeanField, kControl, kNetwork, kTracker;
+extern const std::vector<Case> kSensing, kInference, kMeanField, kEnclosure, kControl, kNetwork, kTracker;
 
 using rme::Status;
 using Random = std::mt19937_64;

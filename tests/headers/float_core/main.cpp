@@ -6,7 +6,7 @@
 int main() {
   using namespace float_core;
   int failed = 0, count = 0;
-  for (const auto* part : {&kSensing, &kInference, &kMeanField, &kControl, &kNetwork, &kTracker}) {
+  for (const auto* part : {&kSensing, &kInference, &kMeanField, &kEnclosure, &kControl, &kNetwork, &kTracker}) {
     for (const Case& c : *part) {
       ++count;
       if (c.passes()) continue;
