@@ -513,6 +513,7 @@ TEST_CASE("PayloadEnclosure: bad readings are refused, and change nothing", "[en
   CHECK(again.mass_lower == box.mass_lower);
   CHECK(again.com_upper == box.com_upper);
   REQUIRE(enclosure.add_empty(pose.before) == Status::Ok);
+  CHECK(enclosure.range(pose.regressor, lower, upper) == Status::NotReady);  // a reading since solve()
   CHECK(enclosure.add_empty(pose.before) == Status::CapacityExceeded);
   CHECK(enclosure.add_change(pose.before, pose.after, pose.regressor) == Status::CapacityExceeded);
   REQUIRE(enclosure.solve(again) == Status::Ok);

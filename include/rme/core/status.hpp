@@ -17,7 +17,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
     CapacityExceeded,     ///< no room for more in storage fixed at compile time
     WrongSize,            ///< a vector or a matrix does not have the size given at construction
     NotAMeasurement,      ///< a sensor's reading is frozen, or zero as no reading of it can be (stale_torque.hpp)
-    Unbounded,            ///< nothing bounds what was asked for; where it has parts, those that are bounded are returned
+    Unbounded,            ///< nothing bounds the answer, or a part of it; the other parts are returned
 };
 
 /// The enumerator's name, for logs.
