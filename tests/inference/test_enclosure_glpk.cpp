@@ -175,7 +175,7 @@ TEST_CASE("PayloadEnclosure: bounds violated by 20 % in 100,000 trials: empty wh
   PayloadEnclosure<double, 7> enclosure(config);
   int contradictions = 0, empty = 0, other = 0;
   double worst = 0;
-  for (int k = 0; k < 100000; ++k) {
+  for (int k = 0; k < 100000; ++k) {  // all errors 20 % beyond their bounds, or evenly up to 100 % beyond
     const Trial trial =
         random_trial(random, config, 1, k % 2 == 0 ? Errors::AtBounds : Errors::WithinBounds, k % 2 == 0 ? 1.2 : 2);
     const auto& pose = trial.poses[0];

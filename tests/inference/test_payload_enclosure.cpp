@@ -246,6 +246,12 @@ TEST_CASE("PayloadEnclosure: a violated bound leaves the empty set, and by how m
   REQUIRE(upwards.add_change(torque(0), torque(-1), lever(10)) == Status::Ok);
   CHECK(upwards.solve(box) == Status::Infeasible);
   CHECK(std::abs(box.scale - 10) < 1e-12);
+  one.com_lower.setConstant(-kInfinity);
+  one.com_upper.setConstant(kInfinity);
+  One without_limits(one);
+  REQUIRE(without_limits.add_change(torque(0), torque(-1), lever(10)) == Status::Ok);
+  CHECK(without_limits.solve(box) == Status::Infeasible);
+  one = one_config();
 
   // Two readings of the empty hand that contradict each other: 5 N m where 0.1 + 2 * 0.5 are stated.
   one.link[0] = 0.5;

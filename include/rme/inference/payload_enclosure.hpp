@@ -131,7 +131,7 @@ class PayloadEnclosure {
   // The unknowns of the program are (m, m r, unit_ s): s is the factor of the stated bounds.
   static constexpr int kSize = 5;
   static constexpr int kPairs = MaxPoses * (3 * MaxPoses - 1) / 2;  // of readings, at least one of them loaded
-  static constexpr int kRows = 2 * Dofs * (kPairs + MaxPoses) + 9;
+  static constexpr int kRows = 2 * Dofs * (kPairs + MaxPoses) + 8;
   static constexpr int kReadings = 2 * MaxPoses;
   static constexpr Scalar kNone = Config::kNone;
   static constexpr Scalar kEpsilon = std::numeric_limits<Scalar>::epsilon();
@@ -248,7 +248,6 @@ Status PayloadEnclosure<Scalar, Dofs, MaxPoses>::add(const Vector* before, const
 template <typename Scalar, int Dofs, int MaxPoses>
 void PayloadEnclosure<Scalar, Dofs, MaxPoses>::limit() noexcept {
   constrain(-Unknowns::Unit(0), Scalar(0));
-  constrain(-Unknowns::Unit(4), Scalar(0));
   if (config_.mass_limit < kNone) constrain(Unknowns::Unit(0), config_.mass_limit);
   for (int i = 0; i < 3; ++i) {
     if (config_.com_lower[i] > -kNone)
