@@ -190,6 +190,24 @@ TEST_CASE("PayloadEnclosure: each stated bound widens the interval as it should,
     REQUIRE(enclosure.add_empty(torque(3)) == Status::Ok);
     check_mass(enclosure, 9.9 / 11, 10.1 / 9);
   }
+  SECTION("a loaded reading alone, of which neither offset nor link error is stated") {
+    One enclosure(config);
+    REQUIRE(enclosure.add_loaded(torque(13), lever(10)) == Status::Ok);
+    PayloadBox<double> box;
+    CHECK(enclosure.solve(box) == Status::NotReady);
+  }
+  SECTION("a lever that the centre of mass may cancel: the mass is unbounded, the centre of mass as stated") {
+    auto crooked = lever(10);
+    crooked.B(0, 0) = -20;
+    One enclosure(config);
+    REQUIRE(enclosure.add_change(torque(0), torque(5), crooked) == Status::Ok);
+    PayloadBox<double> box;
+    CHECK(enclosure.solve(box) == Status::Unbounded);
+    CHECK(std::abs(box.mass_lower - 4.9 / 20) < 1e-12);  // at -0.5 m
+    CHECK(box.mass_upper == kInfinity);
+    CHECK(box.com_lower == config.com_lower);
+    CHECK(box.com_upper == config.com_upper);
+  }
   SECTION("the rated mass") {
     config.mass_limit = 1;
     One enclosure(config);

@@ -55,8 +55,9 @@ struct PayloadBox {
   Scalar mass_upper = Scalar(0);                           ///< [kg]
   Vector3<Scalar> moment_lower = Vector3<Scalar>::Zero();  ///< of the first moment m r [kg m]
   Vector3<Scalar> moment_upper = Vector3<Scalar>::Zero();  ///< [kg m]
-  Vector3<Scalar> com_lower = Vector3<Scalar>::Zero();     ///< of the centre of mass r [m]; as stated if m may be 0
-  Vector3<Scalar> com_upper = Vector3<Scalar>::Zero();     ///< [m]
+  Vector3<Scalar> com_lower =
+      Vector3<Scalar>::Zero();  ///< of the centre of mass r [m]; as stated if m may be 0, or is unbounded
+  Vector3<Scalar> com_upper = Vector3<Scalar>::Zero();  ///< [m]
   /// The least factor by which all stated bounds (not those of mass and centre of mass) could be multiplied so that some
   /// payload still agrees with every reading, >= 0. Above 1 the enclosure is empty: some bound was violated.
   Scalar scale = Scalar(0);
@@ -64,7 +65,7 @@ struct PayloadBox {
 
 /// The set of all payloads phi = (m, m r) that agree with the readings (docs/theory.md (T46) to (T48)). A payload at
 /// rest is linear in phi, so the set is a polytope. That of the *differences* of readings needs no bound on the offset:
-/// what is the same before and after an attachment cancels. The constants are eliminated exactly: a payload is in the
+/// what is the same before and after an attachment cancels. The errors are eliminated exactly: a payload is in the
 /// set if and only if some errors within the bounds explain all readings together. With gain > 0 that holds for one pose;
 /// over several poses the set may be larger than needed, never smaller.
 ///
@@ -76,7 +77,7 @@ struct PayloadBox {
 ///     PayloadBox<double> box;
 ///     if (enclosure.solve(box) == Status::Infeasible) ...  // a stated bound was violated
 ///
-/// Real time: no allocation; every call is bounded. Not small: 30 KB in double for seven joints and four poses.
+/// Real time: no allocation; every call is bounded. Not small: 27 KB in double for seven joints and four poses.
 /// @tparam Dofs      number of joints
 /// @tparam MaxPoses  most calls of add_change(), add_loaded() and add_empty() together
 template <typename Scalar, int Dofs, int MaxPoses = 4>
@@ -356,7 +357,7 @@ Status PayloadEnclosure<Scalar, Dofs, MaxPoses>::com_end(int axis, Scalar sign, 
   for (int step = 0; step < kSteps; ++step) {
     c[0] = -rho;
     const Status status = program_.maximise(c, result);
-    if (status != Status::Ok) return status == Status::Unbounded && upper < kNone ? Status::Ok : status;
+    if (status != Status::Ok) return status;  // without a bound of m r there is none of m, and the stated limit is left
     upper = std::min(upper, rho + std::max(result.upper, Scalar(0)) / lightest);
     const Scalar next = sign * result.x[1 + axis] / result.x[0];
     if (step > 0 && !(next > rho)) break;
