@@ -38,9 +38,9 @@ struct LinearProgramResult {
 template <typename Scalar, int Size, int MaxRows>
 class LinearProgram {
  public:
-  using Vector = Eigen::Matrix<Scalar, Size, 1>;  ///< x, c, or a row's a
-  using Result = LinearProgramResult<Scalar, Size>;
-  static constexpr int kMaxPivots = 40 * Size;  ///< bound on the steps of maximise()
+  using Vector = Eigen::Matrix<Scalar, Size, 1>;     ///< x, c, or a row's a
+  using Result = LinearProgramResult<Scalar, Size>;  ///< of maximise()
+  static constexpr int kMaxPivots = 40 * Size;       ///< bound on the steps of maximise()
 
   /// Removes all rows. A start() is needed afterwards.
   void clear() noexcept {
@@ -60,6 +60,7 @@ class LinearProgram {
   Status start(const Vector& x, int held = 0) noexcept;
 
   /// Maximises c.x from where the last call stopped, or from start().
+  /// @param c            Size x 1, finite
   /// @param[out] result  as it was unless the status is Ok
   /// @return Ok; Unbounded; NotReady (no start() since the last row); NonFiniteInput; NotConverged: kMaxPivots steps
   ///         were not enough, which no test has seen

@@ -24,8 +24,8 @@ namespace rme {
 /// Infinite means that nothing is stated. drift has to be set.
 template <typename Scalar, int Dofs>
 struct PayloadEnclosureConfig {
-  using Vector = JointVector<Scalar, Dofs>;
-  static constexpr Scalar kNone = std::numeric_limits<Scalar>::infinity();
+  using Vector = JointVector<Scalar, Dofs>;                                 ///< one bound per joint
+  static constexpr Scalar kNone = std::numeric_limits<Scalar>::infinity();  ///< nothing is stated
 
   /// The most by which the sensor's offset differs between any two of the readings, with the noise that is left in the
   /// two [N m], > 0.
@@ -83,9 +83,9 @@ struct PayloadBox {
 template <typename Scalar, int Dofs, int MaxPoses = 4>
 class PayloadEnclosure {
  public:
-  using Vector = JointVector<Scalar, Dofs>;          ///< joint torque [N m]
-  using Regressor = PayloadRegressor<Scalar, Dofs>;  ///< of a pose
-  using Config = PayloadEnclosureConfig<Scalar, Dofs>;
+  using Vector = JointVector<Scalar, Dofs>;             ///< joint torque [N m]
+  using Regressor = PayloadRegressor<Scalar, Dofs>;     ///< of a pose
+  using Config = PayloadEnclosureConfig<Scalar, Dofs>;  ///< what is stated
 
   /// @throws std::invalid_argument naming the field out of range
   explicit PayloadEnclosure(const Config& config);
