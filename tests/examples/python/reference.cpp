@@ -137,13 +137,18 @@ void run(const examples::Log<7>& log, bool everything, const std::string& out) {
       if (i % 200 < 100) sample.compensation = 0.9 * compensation;
       if (i % 300 < 150) sample.gravity_torque = 0.5 * sample.jacobian.template topRows<3>().transpose();
       if (i % 400 > 300) {
-        sample.motion =
-            FlangeMotion<double>{{0.01 * x, 0.02, 0.03}, {0.1, 0.001 * x, -0.2}, {0.2, -0.1, 0.0005 * x}};
+        sample.motion = FlangeMotion<double>{{0.01 * x, 0.02, 0.03}, {0.1, 0.001 * x, -0.2}, {0.2, -0.1, 0.0005 * x}};
+      }
+      // Samples that are refused: they show as well that an argument arrives which changes little here.
+      const double nan = std::numeric_limits<double>::quiet_NaN();
+      if (i == 90) sample.dq[1] = nan;
+      if (i == 95) sample.rotation *= 1.1;
+      if (i == 96) (*sample.compensation)[2] = nan;
+      if (i == 97) (*sample.gravity_torque)(1, 2) = nan;
+      if (i == 310) sample.motion->angular_acceleration[1] = nan;
+      if (sample.motion)
         motion.emplace() << sample.motion->angular_velocity, sample.motion->linear_acceleration,
             sample.motion->angular_acceleration;
-      }
-      if (i == 90) sample.dq[1] = std::numeric_limits<double>::quiet_NaN();
-      if (i == 95) sample.rotation *= 1.1;
     }
     int call = 0;
     if (everything) {
@@ -159,8 +164,7 @@ void run(const examples::Log<7>& log, bool everything, const std::string& out) {
     if (call == 3) estimator.in_contact(true);
     if (call == 4) estimator.in_contact(false);
     if (call == 5)
-      (void)estimator.set_payload(
-          PayloadGaussian<double>::independent({0.7, 0.06, 0, 0.13}, {0.05, 0.01, 0.01, 0.02}));
+      (void)estimator.set_payload(PayloadGaussian<double>::independent({0.7, 0.06, 0, 0.13}, {0.05, 0.01, 0.01, 0.02}));
     if (call == 6) estimator.reset();
 
     table.add("call", call);

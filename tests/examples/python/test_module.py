@@ -87,14 +87,24 @@ assert np.allclose(torque, -J.T @ wrench, rtol=0.01, atol=0.01), "-J^T w"
 # Anything that holds real numbers will do: other types, storage orders, lists.
 one, other = rme.Estimator(7, 0.001), rme.Estimator(7, 0.001)
 tau = np.float32(J.T @ wrench)
-wide = np.zeros((14, 12))
-wide[::2, ::2][:6, :6] = 0
 strided = np.zeros((12, 14))
 strided[::2, ::2] = J
 packed = np.zeros(1, dtype=[("byte", "u1"), ("tau", "f8", 7)])  # not aligned
 packed["tau"] = tau
+
+
+class Tensor:
+    """What NumPy sees of a tensor of another library."""
+
+    def __init__(self, numbers):
+        self.numbers = numbers
+
+    def __array__(self, dtype=None, copy=None):
+        return np.asarray(self.numbers, dtype=dtype)
+
+
 for _ in range(300):
-    one.update(tau, np.asfortranarray(J), R.T.copy().T, [0] * 7)
+    one.update(Tensor(tau), np.asfortranarray(J), R.T.copy().T, [0] * 7)
     other.update(packed["tau"][0], strided[::2, ::2], R.tolist(), DQ[::-1].astype(np.int32))
 assert np.array_equal(one.state.payload.covariance, other.state.payload.covariance) and one.state.held > 0.9
 
