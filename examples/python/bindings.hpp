@@ -53,12 +53,14 @@ std::string implausible(const char* field, const Eigen::MatrixBase<Derived>& num
 
 /// A PayloadGaussian, of its own or part of a state.
 struct Gaussian {
-  /// @param values  read by rme, seen by Python
+  /// @param shown     the numbers
+  /// @param owner     of which they are a part
+  /// @param writable  whether Python may change them
   template <typename Owner>
-  Gaussian(const PayloadGaussian<double>& values, const std::shared_ptr<Owner>& owner, bool writable)
-      : values(owner, &values),
-        mean(view(values.mean, owner, writable)),
-        covariance(view(values.covariance, owner, writable)) {}
+  Gaussian(const PayloadGaussian<double>& shown, const std::shared_ptr<Owner>& owner, bool writable)
+      : values(owner, &shown),
+        mean(view(shown.mean, owner, writable)),
+        covariance(view(shown.covariance, owner, writable)) {}
   std::shared_ptr<const PayloadGaussian<double>> values;
   py::array mean, covariance;
 };

@@ -1,5 +1,6 @@
 #pragma once
 /// The enums of rme as members of Python's enum.IntEnum, which compare with `is` and index arrays.
+#include <pybind11/eval.h>
 #include <pybind11/pybind11.h>
 
 #include <initializer_list>
@@ -23,8 +24,9 @@ class PythonEnum {
     const py::module_ python = py::module_::import("enum");
     py::object made = python.attr("IntEnum")(name, values, py::arg("module") = module.attr("__name__"));
     made.attr("__doc__") = doc;
-    for (const char* method : {"__str__", "__format__"})  // "Status.Ok", not "0", in every version of Python
-      made.attr(method) = python.attr("Enum").attr(method);
+    // "Status.Ok", not "0", in every version of Python.
+    made.attr("__str__") = python.attr("Enum").attr("__str__");
+    made.attr("__format__") = py::eval("lambda self, spec: format(str(self), spec)");
     for (const auto& [member, value] : members)  // never given back: they live as long as the interpreter
       known().emplace_back(value, py::object(made.attr(member)).release());
     module.attr(name) = made;

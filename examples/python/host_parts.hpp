@@ -13,7 +13,7 @@ namespace rme::python {
 
 namespace detail {
 
-template <template <typename, int> class Part, int Fewest, typename Counts>
+template <template <typename, int> class Part, int Fewest, typename More>
 struct PartOfAny;
 template <template <typename, int> class Part, int Fewest, int... More>
 struct PartOfAny<Part, Fewest, std::integer_sequence<int, More...>> {
@@ -21,23 +21,21 @@ struct PartOfAny<Part, Fewest, std::integer_sequence<int, More...>> {
 };
 
 /// Part<double, joints>.
-/// @param make  callable (std::integral_constant<int, Dofs>) -> Part<double, Dofs>
 template <template <typename, int> class Part, int Fewest, int Most>
 class AnyPart {
  public:
+  /// @param name  of the part, for messages
+  /// @param make  callable (std::integral_constant<int, Dofs>) -> Part<double, Dofs>
   template <typename Make>
   AnyPart(const char* name, int joints, const Make& make) : joints_(joints), any_(made<Fewest>(name, joints, make)) {}
   int joints() const noexcept { return joints_; }
+  void reset() noexcept {
+    std::visit([](auto& part) { part.reset(); }, any_);
+  }
 
  protected:
   using Any = typename PartOfAny<Part, Fewest, std::make_integer_sequence<int, Most - Fewest + 1>>::Type;
-  template <typename Reference>
-  static constexpr int dofs = static_cast<int>(std::decay_t<Reference>::kJoints);
 
-  int joints_;
-  Any any_;
-
- private:
   template <int Dofs, typename Make>
   static Any made(const char* name, int joints, const Make& make) {
     if (joints == Dofs) return Any(make(std::integral_constant<int, Dofs>()));
@@ -48,34 +46,24 @@ class AnyPart {
                           std::to_string(Most) + ", got " + std::to_string(joints));
     }
   }
-};
 
-/// The parts with their number of joints.
-template <typename Scalar, int Dofs>
-struct SizedRamp : CompensationRamp<Scalar, Dofs> {
-  using CompensationRamp<Scalar, Dofs>::CompensationRamp;
-  static constexpr int kJoints = Dofs;
-};
-template <typename Scalar, int Dofs>
-struct SizedObserver : MomentumObserver<Scalar, Dofs> {
-  using MomentumObserver<Scalar, Dofs>::MomentumObserver;
-  static constexpr int kJoints = Dofs;
+  int joints_;
+  Any any_;
 };
 
 }  // namespace detail
 
 /// CompensationRamp (core/compensation.hpp).
 template <int Fewest, int Most>
-class AnyCompensationRamp : public detail::AnyPart<detail::SizedRamp, Fewest, Most> {
-  using Base = detail::AnyPart<detail::SizedRamp, Fewest, Most>;
-
+class AnyCompensationRamp : public detail::AnyPart<CompensationRamp, Fewest, Most> {
  public:
   /// @param torque_rate  [N m/s], one number per joint
   /// @throws std::invalid_argument naming the field out of range
   template <typename Rates>
   AnyCompensationRamp(int joints, double period, const Eigen::MatrixBase<Rates>& torque_rate)
-      : Base("CompensationRamp", joints,
-             [&](auto dofs) { return detail::SizedRamp<double, decltype(dofs)::value>(period, {torque_rate}); }) {}
+      : detail::AnyPart<CompensationRamp, Fewest, Most>("CompensationRamp", joints, [&](auto count) {
+          return CompensationRamp<double, decltype(count)::value>(period, {torque_rate});
+        }) {}
   /// @param target  [N m], joints()
   template <typename Target>
   Status update(const Eigen::MatrixBase<Target>& target) noexcept {
@@ -85,23 +73,19 @@ class AnyCompensationRamp : public detail::AnyPart<detail::SizedRamp, Fewest, Mo
   const double* torque() const noexcept {
     return std::visit([](const auto& ramp) { return ramp.torque().data(); }, this->any_);
   }
-  void reset() noexcept {
-    std::visit([](auto& ramp) { ramp.reset(); }, this->any_);
-  }
 };
 
 /// MomentumObserver (sensing/momentum_observer.hpp).
 template <int Fewest, int Most>
-class AnyMomentumObserver : public detail::AnyPart<detail::SizedObserver, Fewest, Most> {
-  using Base = detail::AnyPart<detail::SizedObserver, Fewest, Most>;
-
+class AnyMomentumObserver : public detail::AnyPart<MomentumObserver, Fewest, Most> {
  public:
   /// @param gain  K [rad/s], one number per joint
   /// @throws std::invalid_argument naming the field out of range
   template <typename Gains>
   AnyMomentumObserver(int joints, double dt, const Eigen::MatrixBase<Gains>& gain)
-      : Base("MomentumObserver", joints,
-             [&](auto dofs) { return detail::SizedObserver<double, decltype(dofs)::value>(dt, {gain}); }) {}
+      : detail::AnyPart<MomentumObserver, Fewest, Most>("MomentumObserver", joints, [&](auto count) {
+          return MomentumObserver<double, decltype(count)::value>(dt, {gain});
+        }) {}
   /// The arguments are those of MomentumObserver::update(), of size joints().
   template <typename Joints, typename Square>
   Status update(const Eigen::MatrixBase<Joints>& tau, const Eigen::MatrixBase<Joints>& dq,
@@ -114,9 +98,6 @@ class AnyMomentumObserver : public detail::AnyPart<detail::SizedObserver, Fewest
   /// @return the first number of tau_ext; the others follow it
   const double* tau_ext() const noexcept {
     return std::visit([](const auto& observer) { return observer.tau_ext().data(); }, this->any_);
-  }
-  void reset() noexcept {
-    std::visit([](auto& observer) { observer.reset(); }, this->any_);
   }
 };
 

@@ -41,7 +41,7 @@ fed(estimator, 500)
 assert abs(arrays[0][0] - 1) < 0.05 and state.probability[rme.Mode.Held] > 0.9 and not state.empty()
 assert kept.payload.mean[0] == 0 and kept.time == 0 and kept.empty(), "a copy stays as it was"
 assert address(kept.payload.mean) != address(arrays[0])
-assert abs(state.time - 0.5) < 1e-9 and state.event.kind is rme.EventKind.Attached and str(state.event.kind) == "EventKind.Attached"
+assert abs(state.time - 0.5) < 1e-9 and state.event.kind is rme.EventKind.Attached and f"{state.event.kind}" == "EventKind.Attached"
 raises(ValueError, "read-only", arrays[0].__setitem__, 0, 2)
 raises(ValueError, "WRITEABLE", arrays[0].setflags, write=True)
 raises(AttributeError, "", setattr, state, "held", 1)
