@@ -2,6 +2,7 @@
 // compensation ramp and the momentum observer.
 #include <rme/version.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "python/bindings.hpp"
 
@@ -87,7 +88,7 @@ PYBIND11_MODULE(rme, module) {
   module.attr("__version__") = rme::kVersion;
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
-      if (thrown) std::rethrow_exception(thrown);
+      if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const std::invalid_argument& error) {
       PyErr_SetString(PyExc_ValueError, in_python(error.what()).c_str());
     }

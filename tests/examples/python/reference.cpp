@@ -4,9 +4,11 @@
 //
 // OUT: a line with the settings as JSON, a line with the names of the columns, and then a row of doubles for each sample.
 // With 7 joints, the log is that of a Panda. With other numbers of joints, the arm has some of its joints, or one twice.
-#include <cmath>
+#include <array>
+#include <cstdio>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <rme/core/compensation.hpp>
 #include <rme/estimator.hpp>
 #include <rme/estimator_json.hpp>
@@ -199,13 +201,19 @@ void run(const examples::Log<7>& log, bool everything, const std::string& out) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) throw std::invalid_argument("usage: python_reference LOG JOINTS plain|everything OUT");
-  const auto log = examples::read_log<7>(argv[1]);
-  const std::string joints = argv[2], out = argv[4];
-  const bool everything = std::string(argv[3]) == "everything";
-  if (joints == "4") run<4>(log, everything, out);
-  if (joints == "5") run<5>(log, everything, out);
-  if (joints == "6") run<6>(log, everything, out);
-  if (joints == "7") run<7>(log, everything, out);
-  if (joints == "8") run<8>(log, everything, out);
+  try {
+    if (argc != 5) throw std::invalid_argument("usage: python_reference LOG JOINTS plain|everything OUT");
+    const auto log = examples::read_log<7>(argv[1]);
+    const std::string joints = argv[2], out = argv[4];
+    const bool everything = std::string(argv[3]) == "everything";
+    if (joints == "4") run<4>(log, everything, out);
+    if (joints == "5") run<5>(log, everything, out);
+    if (joints == "6") run<6>(log, everything, out);
+    if (joints == "7") run<7>(log, everything, out);
+    if (joints == "8") run<8>(log, everything, out);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "python_reference: %s\n", error.what());
+    return 3;
+  }
 }
