@@ -7,8 +7,8 @@ namespace rme::python {
 
 namespace {
 
-using Ramp = AnyCompensationRamp<kFewest, kMost>;
-using Observer = AnyMomentumObserver<kFewest, kMost>;
+using Ramp = RuntimeCompensationRamp<double, kFewest, kMost>;
+using Observer = RuntimeMomentumObserver<double, kFewest, kMost>;
 
 // One number for all joints, or one for each.
 Vector per_joint(const py::object& value, int joints, const char* field) {
@@ -21,16 +21,11 @@ Vector per_joint(const py::object& value, int joints, const char* field) {
   return out;
 }
 
-template <typename Part>
-py::array joint_view(const std::shared_ptr<Part>& part, const double* data) {
-  return view(Eigen::Map<const JointVector<double, Eigen::Dynamic>>(data, part->joints()), part, false);
-}
-
 class PythonRamp {
  public:
   PythonRamp(int joints, double period, const py::object& torque_rate)
       : ramp_(std::make_shared<Ramp>(joints, period, per_joint(torque_rate, joints, "CompensationRamp.torque_rate"))),
-        torque_(joint_view(ramp_, ramp_->torque())) {}
+        torque_(view(ramp_->torque(), ramp_, false)) {}
   int joints() const { return ramp_->joints(); }
   const py::array& torque() const { return torque_; }
   const std::string& refusal() const { return refusal_; }
@@ -60,7 +55,7 @@ class PythonObserver {
  public:
   PythonObserver(int joints, double dt, const py::object& gain)
       : observer_(std::make_shared<Observer>(joints, dt, per_joint(gain, joints, "MomentumObserver.gain"))),
-        tau_ext_(joint_view(observer_, observer_->tau_ext())) {}
+        tau_ext_(view(observer_->tau_ext(), observer_, false)) {}
   int joints() const { return observer_->joints(); }
   const py::array& tau_ext() const { return tau_ext_; }
   const std::string& refusal() const { return refusal_; }

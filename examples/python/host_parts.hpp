@@ -54,37 +54,39 @@ class AnyPart {
 }  // namespace detail
 
 /// CompensationRamp (core/compensation.hpp).
-template <int Fewest, int Most>
-class AnyCompensationRamp : public detail::AnyPart<CompensationRamp, Fewest, Most> {
+template <typename Scalar, int Fewest, int Most>
+class RuntimeCompensationRamp : public detail::AnyPart<CompensationRamp, Fewest, Most> {
  public:
-  /// @param torque_rate  [N m/s], one number per joint
+  using Vector = JointVector<Scalar, Eigen::Dynamic>;  ///< of joint torques
+
+  /// @param torque_rate  [N m/s], joints numbers
   /// @throws std::invalid_argument naming the field out of range
-  template <typename Rates>
-  AnyCompensationRamp(int joints, double period, const Eigen::MatrixBase<Rates>& torque_rate)
-      : detail::AnyPart<CompensationRamp, Fewest, Most>("CompensationRamp", joints, [&](auto count) {
-          return CompensationRamp<double, decltype(count)::value>(period, {torque_rate});
+  RuntimeCompensationRamp(int joints, Scalar period, const Vector& torque_rate)
+      : detail::AnyPart<CompensationRamp, Fewest, Most>("RuntimeCompensationRamp", joints, [&](auto count) {
+          return CompensationRamp<Scalar, decltype(count)::value>(period, {torque_rate});
         }) {}
-  /// @param target  [N m], joints()
+  /// @param target  [N m], joints() numbers
   template <typename Target>
   Status update(const Eigen::MatrixBase<Target>& target) noexcept {
     return std::visit([&](auto& ramp) { return ramp.update(target); }, this->any_);
   }
-  /// @return the torque's first number; the others follow it
-  const double* torque() const noexcept {
-    return std::visit([](const auto& ramp) { return ramp.torque().data(); }, this->any_);
+  /// [N m], joints() numbers: a view.
+  Eigen::Map<const Vector> torque() const noexcept {
+    return {std::visit([](const auto& ramp) { return ramp.torque().data(); }, this->any_), this->joints_};
   }
 };
 
 /// MomentumObserver (sensing/momentum_observer.hpp).
-template <int Fewest, int Most>
-class AnyMomentumObserver : public detail::AnyPart<MomentumObserver, Fewest, Most> {
+template <typename Scalar, int Fewest, int Most>
+class RuntimeMomentumObserver : public detail::AnyPart<MomentumObserver, Fewest, Most> {
  public:
-  /// @param gain  K [rad/s], one number per joint
+  using Vector = JointVector<Scalar, Eigen::Dynamic>;  ///< one number per joint
+
+  /// @param gain  K [rad/s], joints numbers
   /// @throws std::invalid_argument naming the field out of range
-  template <typename Gains>
-  AnyMomentumObserver(int joints, double dt, const Eigen::MatrixBase<Gains>& gain)
-      : detail::AnyPart<MomentumObserver, Fewest, Most>("MomentumObserver", joints, [&](auto count) {
-          return MomentumObserver<double, decltype(count)::value>(dt, {gain});
+  RuntimeMomentumObserver(int joints, Scalar dt, const Vector& gain)
+      : detail::AnyPart<MomentumObserver, Fewest, Most>("RuntimeMomentumObserver", joints, [&](auto count) {
+          return MomentumObserver<Scalar, decltype(count)::value>(dt, {gain});
         }) {}
   /// The arguments are those of MomentumObserver::update(), of size joints().
   template <typename Joints, typename Square>
@@ -95,9 +97,9 @@ class AnyMomentumObserver : public detail::AnyPart<MomentumObserver, Fewest, Mos
         [&](auto& observer) { return observer.update(tau, dq, mass_matrix, coriolis_transpose, gravity, period); },
         this->any_);
   }
-  /// @return the first number of tau_ext; the others follow it
-  const double* tau_ext() const noexcept {
-    return std::visit([](const auto& observer) { return observer.tau_ext().data(); }, this->any_);
+  /// [N m], joints() numbers: a view.
+  Eigen::Map<const Vector> tau_ext() const noexcept {
+    return {std::visit([](const auto& observer) { return observer.tau_ext().data(); }, this->any_), this->joints_};
   }
 };
 
