@@ -4,7 +4,7 @@
 # shellcheck source=cmake/setup.sh
 source "$(dirname "$0")/../cmake/setup.sh"
 
-install_packages "${build_packages[@]}" python3-numpy python3-matplotlib
+install_packages "${build_packages[@]}" pybind11-dev python3-dev python3-numpy python3-matplotlib
 # Tests need Catch2, which this command does not install. A build folder that has them keeps them.
 tests_off=()
 [[ -f build/CMakeCache.txt ]] || tests_off=(-DRME_BUILD_TESTS=OFF)

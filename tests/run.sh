@@ -5,7 +5,7 @@
 # shellcheck source=cmake/setup.sh
 source "$(dirname "$0")/../cmake/setup.sh"
 
-install_packages "${build_packages[@]}" catch2 libglpk-dev python3-numpy python3-matplotlib
+install_packages "${build_packages[@]}" catch2 libglpk-dev pybind11-dev python3-dev python3-numpy python3-matplotlib
 configure -DRME_BUILD_EXAMPLES=ON -DRME_BUILD_TESTS=ON
 build all
 say "testing"
