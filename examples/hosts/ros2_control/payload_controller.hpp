@@ -7,12 +7,13 @@
 #include <initializer_list>
 #include <optional>
 #include <pinocchio/parsers/urdf.hpp>
+#include <rme/host/payload_compensation.hpp>
+#include <rme/host/pinocchio.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "hosts/payload_compensation.hpp"
-#include "hosts/pinocchio/pinocchio_sensing.hpp"
+#include "hosts/settings.hpp"
 
 namespace hosts {
 
@@ -65,8 +66,8 @@ class PayloadController : public controller_interface::ControllerInterface {
       const double period = 1.0 / get_update_rate();
       pinocchio::Model robot;
       pinocchio::urdf::buildModelFromXML(get_robot_description(), robot);
-      sensing_.emplace(arm_of(robot, joints_), get_node()->get_parameter("end_effector").as_string(), period, config,
-                       Eigen::Map<const Vector>(gains.data()), Eigen::Map<const Vector>(rotors.data()),
+      sensing_.emplace(rme::pinocchio_arm(robot, joints_), get_node()->get_parameter("end_effector").as_string(),
+                       period, config, Eigen::Map<const Vector>(gains.data()), Eigen::Map<const Vector>(rotors.data()),
                        Eigen::Map<const Vector>(friction.data()));
       payload_.emplace(period, config);
     } catch (const std::exception& error) {
@@ -104,7 +105,7 @@ class PayloadController : public controller_interface::ControllerInterface {
  protected:
   /// @param gravity  of the arm with an empty hand, for a robot that does not add it by itself [N m]
   virtual Vector nominal_torque(const Vector& q, const Vector& dq, const Vector& gravity) = 0;
-  PayloadCompensation<Dofs>& payload() { return *payload_; }
+  rme::PayloadCompensation<double, Dofs>& payload() { return *payload_; }
 
  private:
   controller_interface::InterfaceConfiguration interfaces(std::initializer_list<const char*> names) const {
@@ -116,8 +117,8 @@ class PayloadController : public controller_interface::ControllerInterface {
   }
 
   std::vector<std::string> joints_;
-  std::optional<PinocchioSensing<Dofs>> sensing_;
-  std::optional<PayloadCompensation<Dofs>> payload_;
+  std::optional<rme::PinocchioSensing<Dofs>> sensing_;
+  std::optional<rme::PayloadCompensation<double, Dofs>> payload_;
   rme::Proprioception<double, Dofs> sample_;
   int refused_ = 0;  // ticks in a row without a command
 };

@@ -63,8 +63,8 @@ struct FrankaArm {
   franka::Robot::Simulation simulation() {
     return {[this] { return read(); }, [this](const franka::Torques& torques) { command(torques); },
             [this](double mass, const Eigen::Vector3d& com, const Eigen::Matrix3d& inertia) {
-              load = {mass, com, inertia};
               ++loads_set;
+              if (takes > 0) load = {takes * mass, com, inertia};
             },
             [this] { return lose(); }};
   }
@@ -74,6 +74,7 @@ struct FrankaArm {
   examples::SyntheticArm<7> arm{examples::panda(), examples::SyntheticArmConfig<7>(), pose};
   examples::RigidBody load;
   int loads_set = 0;
+  double takes = 1;  // share of the load's mass that setLoad() takes
   Vector7 commanded = Vector7::Zero();
   int ticks = 0;
   int spoilt_tick = -1;

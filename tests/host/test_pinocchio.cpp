@@ -1,19 +1,18 @@
-// examples/hosts/pinocchio/pinocchio_sensing.hpp, from which docs/embedding.md has its code. Built against a stand-in
-// for Pinocchio, and, where it is found, against Pinocchio itself.
-#include "hosts/pinocchio/pinocchio_sensing.hpp"
+// rme/host/pinocchio.hpp. Built against a stand-in for Pinocchio, and, where it is found, against Pinocchio itself.
+#include <rme/host/pinocchio.hpp>
 
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <pinocchio/parsers/urdf.hpp>
+#include <rme/host/payload_compensation.hpp>
 #include <string>
 #include <synthetic_arm/panda.hpp>
 #include <synthetic_arm/synthetic_arm.hpp>
 #include <utility>
 #include <vector>
 
-#include "hosts/payload_compensation.hpp"
 #include "support/allocation_count.hpp"
 #include "support/catch.hpp"
 
@@ -25,7 +24,8 @@ using rme::examples::RigidBody;
 using Vector = rme::JointVector<double, 7>;
 using Arm = rme::examples::SyntheticArm<7>;
 using ArmConfig = rme::examples::SyntheticArmConfig<7>;
-using namespace hosts;
+using rme::pinocchio_arm;
+using rme::PinocchioSensing;
 
 constexpr double kPeriod = 1e-3;  // [s]
 
@@ -65,10 +65,10 @@ pinocchio::Model panda_with_hand() {
 }
 
 pinocchio::Model panda_arm() {
-  return arm_of(panda_with_hand(), joint_names());
+  return pinocchio_arm(panda_with_hand(), joint_names());
 }
 
-TEST_CASE("Pinocchio's host sees what a moving arm's own observer, Jacobian and pose say", "[docs]") {
+TEST_CASE("PinocchioSensing: sees what a moving arm's own observer, Jacobian and pose say", "[host]") {
   Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
   PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod);
   arm.attach(unknown_kilogram());
@@ -87,7 +87,7 @@ TEST_CASE("Pinocchio's host sees what a moving arm's own observer, Jacobian and 
   }
 }
 
-TEST_CASE("Pinocchio's host takes ticks that were lost as time that passed", "[docs]") {
+TEST_CASE("PinocchioSensing: takes ticks that were lost as time that passed", "[host]") {
   // An arm that falls, so that its momentum changes; three of four samples never arrive.
   Arm arm(panda(), ArmConfig(), panda().ready);
   PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod), unaware(panda_arm(), "panda_link8", kPeriod);
@@ -105,7 +105,7 @@ TEST_CASE("Pinocchio's host takes ticks that were lost as time that passed", "[d
   CHECK(sample.tau_ext.norm() < 0.05);
 }
 
-TEST_CASE("Pinocchio's host takes motor current, of either sign, and an arm on a wall", "[docs]") {
+TEST_CASE("PinocchioSensing: takes motor current, of either sign, and an arm on a wall", "[host]") {
   rme::EstimatorConfig<double, 7> config;
   config.torque_sign = rme::TorqueSign::Reaction;
   config.gravity = {9.81, 0, 0};
@@ -125,7 +125,7 @@ TEST_CASE("Pinocchio's host takes motor current, of either sign, and an arm on a
   CHECK((sample.tau_ext + arm.tau_ext()).norm() < 1e-8);  // reaction: the estimator turns it round
 }
 
-TEST_CASE("Pinocchio's host, slower than an observer of 1 kHz, filters as that does", "[docs]") {
+TEST_CASE("Pinocchio's host, slower than an observer of 1 kHz, filters as that does", "[host]") {
   Arm arm(panda(), ArmConfig(), panda().ready);
   PinocchioSensing<7> sensing(panda_arm(), "panda_link8", 4 * kPeriod);
   rme::Proprioception<double, 7> sample;
@@ -144,7 +144,7 @@ TEST_CASE("Pinocchio's host, slower than an observer of 1 kHz, filters as that d
   CHECK(largest > 4);
 }
 
-TEST_CASE("Pinocchio's host takes the rotors that the torque accelerates off again", "[docs]") {
+TEST_CASE("PinocchioSensing: takes the rotors that the torque accelerates off again", "[host]") {
   Arm arm(panda(), ArmConfig(), panda().ready);
   const Vector rotors = (Vector() << 1.5, 1.2, 0.8, 0.6, 0.3, 0.2, 0.1).finished();
   PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod, {}, Vector::Ones(), rotors);
@@ -163,7 +163,7 @@ TEST_CASE("Pinocchio's host takes the rotors that the torque accelerates off aga
   CHECK(most > 5);  // so that agreement means something
 }
 
-TEST_CASE("Pinocchio's host refuses a bad sample, and is as it was", "[docs]") {
+TEST_CASE("PinocchioSensing: refuses a bad sample, and is as it was", "[host]") {
   Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
   PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod);
   rme::Proprioception<double, 7> sample;
@@ -184,38 +184,88 @@ TEST_CASE("Pinocchio's host refuses a bad sample, and is as it was", "[docs]") {
   }
 }
 
-TEST_CASE("Pinocchio's host refuses another number of joints, and names them", "[docs]") {
+TEST_CASE("PinocchioSensing: refuses another number of joints, and names them", "[host]") {
   CHECK_THROWS_WITH(PinocchioSensing<7>(panda_with_hand(), "panda_link8", kPeriod),
-                    contains("expected 7 joints (nv), got nv = 9: panda_joint1, ") && contains("panda_finger_joint2") &&
-                        contains("arm_of()"));
+                    contains("expected 7 joints of one velocity each on a fixed base, got nv = 9: panda_joint1, ") &&
+                        contains("panda_finger_joint2") && contains("pinocchio_arm()"));
   CHECK_THROWS_WITH(PinocchioSensing<6>(panda_arm(), "panda_link8", kPeriod),
-                    contains("expected 6 joints (nv), got nv = 7"));
+                    contains("expected 6 joints of one velocity each on a fixed base, got nv = 7"));
 }
 
-TEST_CASE("Pinocchio's host refuses a continuous joint, and names it", "[docs]") {
+TEST_CASE("PinocchioSensing: a continuous joint, whose position is a cosine and a sine, is a joint as any other",
+          "[host]") {
   std::string urdf = panda_urdf();
-  const std::string revolute = "\"panda_joint5\" type=\"revolute\"";
-  REQUIRE(urdf.find(revolute) != std::string::npos);
-  urdf.replace(urdf.find(revolute), revolute.size(), "\"panda_joint5\" type=\"continuous\"");
-  CHECK_THROWS_WITH(PinocchioSensing<7>(model_of(urdf), "panda_link8", kPeriod),
-                    contains("nq = 7") && contains("got nq = 8: panda_joint5 has 2"));
+  for (const char* joint : {"1", "5"}) {
+    const std::string revolute = std::string("\"panda_joint") + joint + "\" type=\"revolute\"";
+    REQUIRE(urdf.find(revolute) != std::string::npos);
+    urdf.replace(urdf.find(revolute), revolute.size(), std::string("\"panda_joint") + joint + "\" type=\"continuous\"");
+  }
+  const pinocchio::Model continuous = model_of(urdf);
+  REQUIRE(continuous.nq == 9);
+  Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
+  PinocchioSensing<7> sensing(continuous, "panda_link8", kPeriod), revolute(panda_arm(), "panda_link8", kPeriod);
+  arm.attach(unknown_kilogram());
+  rme::Proprioception<double, 7> sample, expected;
+  for (int k = 0; k < 200; ++k) {
+    REQUIRE(sensing.update(arm.q(), arm.dq(), arm.tau_measured(), kPeriod, sample) == rme::Status::Ok);
+    REQUIRE(revolute.update(arm.q(), arm.dq(), arm.tau_measured(), kPeriod, expected) == rme::Status::Ok);
+    CAPTURE(k);
+    REQUIRE((sample.tau_ext - expected.tau_ext).norm() < 1e-8);
+    REQUIRE((sample.jacobian - expected.jacobian).norm() < 1e-12);
+    REQUIRE((sample.rotation - expected.rotation).norm() < 1e-12);
+    arm.step(arm.dynamics().gravity);
+  }
+  CHECK(sample.tau_ext.norm() > 1);
 }
 
-TEST_CASE("Pinocchio's host refuses a frame that the model lacks, and lists those that it has", "[docs]") {
+TEST_CASE("PinocchioSensing: refuses a model whose links have no inertia, and names the joints", "[host]") {
+  std::string urdf = panda_urdf();
+  for (std::size_t at = urdf.find("<inertial>"); at != std::string::npos; at = urdf.find("<inertial>", at))
+    urdf.erase(at, urdf.find("</inertial>", at) + 11 - at);
+  CHECK_THROWS_WITH(PinocchioSensing<7>(model_of(urdf), "panda_link8", kPeriod),
+                    contains("the model has no inertias: no mass moves with panda_joint1, panda_joint2, ") &&
+                        contains("panda_joint7; expected <inertial>"));
+}
+
+TEST_CASE("PinocchioSensing: refuses a period that is none", "[host]") {
+  CHECK_THROWS_WITH(PinocchioSensing<7>(panda_arm(), "panda_link8", 0),
+                    contains("PinocchioSensing::period: expected > 0 s, got 0"));
+}
+
+TEST_CASE("PinocchioSensing: a base in any orientation is a gravity vector in its axes", "[host]") {
+  rme::EstimatorConfig<double, 7> config;
+  config.gravity = Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, -2, 0.5).normalized()) * rme::standard_gravity<double>();
+  rme::examples::ArmModel<7> mounted = panda();
+  mounted.gravity_vector = config.gravity;
+  Arm arm(mounted, ArmConfig(), panda().ready, Vector::Constant(1));
+  arm.attach(unknown_kilogram());
+  PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod, config),
+      upright(panda_arm(), "panda_link8", kPeriod);
+  rme::Proprioception<double, 7> sample, wrong;
+  for (int k = 0; k < 200; ++k) {
+    REQUIRE(sensing.update(arm.q(), arm.dq(), arm.tau_measured(), kPeriod, sample) == rme::Status::Ok);
+    REQUIRE(upright.update(arm.q(), arm.dq(), arm.tau_measured(), kPeriod, wrong) == rme::Status::Ok);
+    REQUIRE((sample.tau_ext - arm.tau_ext()).norm() < 1e-8);
+    arm.step(arm.dynamics().gravity);
+  }
+  CHECK((wrong.tau_ext - arm.tau_ext()).norm() > 1);
+}
+
+TEST_CASE("PinocchioSensing: refuses a frame that the model lacks, and lists those that it has", "[host]") {
   CHECK_THROWS_WITH(PinocchioSensing<7>(panda_arm(), "flange", kPeriod),
                     contains("no frame flange; it has ") && contains("panda_link8"));
 }
 
-TEST_CASE("Pinocchio's host refuses joints that the model lacks, or has in another order, and names them", "[docs]") {
+TEST_CASE("PinocchioSensing: refuses joints that the model lacks, or has in another order, and names them", "[host]") {
   std::vector<std::string> names = joint_names();
   names[2] = "elbow";
-  CHECK_THROWS_WITH(arm_of(panda_with_hand(), names), contains("no joint elbow; it has panda_joint1, "));
+  CHECK_THROWS_WITH(pinocchio_arm(panda_with_hand(), names), contains("no joint elbow; it has panda_joint1, "));
   names = joint_names();
   std::swap(names[0], names[1]);
-  CHECK_THROWS_WITH(arm_of(panda_with_hand(), names), contains("got panda_joint2, panda_joint1, panda_joint3"));
+  CHECK_THROWS_WITH(pinocchio_arm(panda_with_hand(), names), contains("got panda_joint2, panda_joint1, panda_joint3"));
 }
 
-TEST_CASE("Pinocchio's host allocates nothing in its loop", "[docs]") {
+TEST_CASE("PinocchioSensing: allocates nothing in its loop", "[host]") {
 #ifdef RME_COUNTS_ALLOCATIONS
   Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
   PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod);
@@ -234,7 +284,7 @@ TEST_CASE("Pinocchio's host allocates nothing in its loop", "[docs]") {
 #endif
 }
 
-TEST_CASE("A payload that Pinocchio's model carries no longer shows in tau_ext, at rest and in motion", "[docs]") {
+TEST_CASE("A payload that Pinocchio's model carries no longer shows in tau_ext, at rest and in motion", "[host]") {
   Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
   PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod);
   arm.attach(unknown_kilogram());
@@ -257,10 +307,10 @@ Vector impedance(const Vector& q, const Vector& dq) {
   return stiffness.cwiseProduct(panda().ready - q) - damping.cwiseProduct(dq);
 }
 
-TEST_CASE("An observer without the compensation in its torque sees half of the mass", "[docs]") {
+TEST_CASE("An observer without the compensation in its torque sees half of the mass", "[host]") {
   Arm arm(panda(), ArmConfig(), panda().ready);
   PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod);
-  PayloadCompensation<7> payload(kPeriod);
+  rme::PayloadCompensation<double, 7> payload(kPeriod);
   Vector without = Vector::Zero();
   for (int k = 0; k < 4000; ++k) {
     if (k == 1000) arm.attach(unknown_kilogram());
@@ -270,8 +320,8 @@ TEST_CASE("An observer without the compensation in its torque sees half of the m
     without = impedance(arm.q(), arm.dq()) + arm.dynamics().gravity;
     arm.step(without + payload.torque());
   }
-  CHECK(std::abs(payload.estimator().state().payload.mean[0] - 0.5) < 0.05);
-  CHECK(payload.estimator().state().health < 10);
+  CHECK(std::abs(payload.state().payload.mean[0] - 0.5) < 0.05);
+  CHECK(payload.state().health < 10);
 }
 
 }  // namespace

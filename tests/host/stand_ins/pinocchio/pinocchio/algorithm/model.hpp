@@ -19,6 +19,8 @@ inline Model buildReducedModel(const Model& model, std::vector<JointIndex> list_
     out.names.erase(out.names.begin() + at);
     out.nqs.erase(out.nqs.begin() + at);
     out.nvs.erase(out.nvs.begin() + at);
+    out.idx_qs.erase(out.idx_qs.begin() + at);  // the fingers are last
+    out.inertias.erase(out.inertias.begin() + at);
     --out.nq, --out.nv, --out.njoints;
   }
   return out;

@@ -3,6 +3,7 @@
 // The robot of any URDF is a Panda, with a hand's two fingers if its text names them. What the real functions leave
 // alone holds NaN here; what they refuse throws, and so does what they would read out of bounds.
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -48,6 +49,7 @@ class Inertia {
  public:
   Inertia(double mass, const Eigen::Vector3d& com, const Eigen::Matrix3d& rotational_inertia)
       : body_{mass, com, rotational_inertia} {}
+  double mass() const { return body_.mass; }
   const rme::examples::RigidBody& body() const { return body_; }  // not Pinocchio's
 
  private:
@@ -70,7 +72,8 @@ inline rme::examples::ArmModel<7> nameless_panda() {
 struct Model {
   int nq = 0, nv = 0, njoints = 1, nframes = 0;
   std::vector<std::string> names = {"universe"};
-  std::vector<int> nqs = {0}, nvs = {0};
+  std::vector<int> nqs = {0}, nvs = {0}, idx_qs = {0};
+  std::vector<Inertia> inertias = {Inertia(0, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero())};
   std::vector<Frame> frames;
   Motion gravity;
   rme::examples::ArmModel<7> arm = nameless_panda();  // not Pinocchio's
@@ -97,8 +100,10 @@ struct Model {
     link = link + rme::examples::RigidBody{body.mass, R * body.com + placement.translation(),
                                            R * body.inertia * R.transpose()};
   }
-  void append(const std::string& joint, int positions) {  // not Pinocchio's
+  void append(const std::string& joint, int positions, double mass) {  // not Pinocchio's
     names.push_back(joint);
+    inertias.emplace_back(mass, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero());
+    idx_qs.push_back(nq);
     nqs.push_back(positions);
     nvs.push_back(1);
     nq += positions;
@@ -129,7 +134,21 @@ inline void check_size(Eigen::Index size, int expected) {
                                 std::to_string(size));
 }
 
-/// The arm's part of a vector of any size, the fingers' left out.
+/// The arm's part of a configuration, the fingers' left out. A continuous joint's two numbers are those of an angle.
+template <typename Vector>
+Eigen::Matrix<double, 7, 1> angles(const Model& model, const Eigen::MatrixBase<Vector>& q) {
+  check_size(q.size(), model.nq);
+  Eigen::Matrix<double, 7, 1> out = Eigen::Matrix<double, 7, 1>::Zero();
+  for (std::size_t i = 1; i < 8 && i < model.names.size(); ++i) {
+    const int at = model.idx_qs[i];
+    if (model.nqs[i] == 2 && std::abs(q[at] * q[at] + q[at + 1] * q[at + 1] - 1) > 1e-9)
+      throw std::invalid_argument("not a cosine and a sine");
+    out[static_cast<Eigen::Index>(i) - 1] = model.nqs[i] == 2 ? std::atan2(q[at + 1], q[at]) : q[at];
+  }
+  return out;
+}
+
+/// The arm's part of a vector of velocities, the fingers' left out.
 template <typename Vector>
 Eigen::Matrix<double, 7, 1> of_arm(const Eigen::MatrixBase<Vector>& v) {
   Eigen::Matrix<double, 7, 1> out = Eigen::Matrix<double, 7, 1>::Zero();

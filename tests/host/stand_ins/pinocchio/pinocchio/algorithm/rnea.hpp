@@ -7,10 +7,9 @@ namespace pinocchio {
 template <typename Q, typename V>
 const Eigen::MatrixXd& computeCoriolisMatrix(const Model& model, Data& data, const Eigen::MatrixBase<Q>& q,
                                              const Eigen::MatrixBase<V>& v) {
-  stand_in::check_size(q.size(), model.nq);
   stand_in::check_size(v.size(), model.nv);
   const Eigen::Matrix<double, 7, 1> dq = stand_in::of_arm(v);
-  const auto dynamics = model.arm.dynamics(stand_in::of_arm(q), dq);
+  const auto dynamics = model.arm.dynamics(stand_in::angles(model, q), dq);
   const double vv = dq.squaredNorm();
   data.C.setZero();
   if (vv > 0)
