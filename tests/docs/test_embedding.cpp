@@ -1,5 +1,7 @@
 // The hosts of examples/hosts, from which docs/embedding.md has its code, here with stand-ins for their platforms.
 #include "host/franka_arm.hpp"
+#include "hosts/libfranka/patch.hpp"
+#include "hosts/pinocchio/loop.hpp"
 #include "hosts/ros2_control/joint_hold.hpp"
 #include "hosts/settings.hpp"
 
@@ -38,6 +40,64 @@ Vector impedance(const Vector& q, const Vector& dq, const Vector& q_d, const Vec
   const Vector stiffness = (Vector() << 600, 600, 600, 600, 100, 100, 50).finished();
   const Vector damping = (Vector() << 40, 40, 40, 40, 4, 4, 1).finished();
   return stiffness.cwiseProduct(q_d - q) + damping.cwiseProduct(dq_d - dq);
+}
+
+/// Runs the patched loop for a while; a kilogram comes after a second.
+/// @return the largest of what was added on a joint
+double run_patched(rme::testing::FrankaArm& franka, const CarryOptions& options) {
+  franka::Robot robot(franka.simulation());
+  double added = 0;
+  Vector last = Vector::Zero();
+  const auto nominal = [&](const franka::RobotState& state, franka::Duration) {
+    if (franka.ticks > 0) added = std::max(added, (franka.commanded - last).cwiseAbs().maxCoeff());
+    if (franka.ticks == 1000) franka.arm.attach(unknown_kilogram());
+    const Vector wanted = impedance(Eigen::Map<const Vector>(state.q.data()), Eigen::Map<const Vector>(state.dq.data()),
+                                    franka.pose, Vector::Zero());
+    last += (wanted - last).cwiseMax(-0.5).cwiseMin(0.5);
+    franka::Torques torques(std::array<double, 7>{});
+    Eigen::Map<Vector>(torques.tau_J.data()) = last;
+    return franka.ticks < 4000 ? torques : franka::MotionFinished(torques);
+  };
+  run(robot, robot.loadModel(), nominal, options);
+  return added;
+}
+
+TEST_CASE("embedding.md: a patched libfranka controller commands what it did before, until it is switched on",
+          "[docs]") {
+  rme::testing::FrankaArm without, with, bounded;
+  CHECK(run_patched(without, {}) == 0);
+  CHECK((without.arm.q() - without.pose).norm() > 0.01);  // it sags
+  CHECK(run_patched(with, {true}) > 5);
+  CHECK((with.arm.q() - with.pose).norm() < 2e-3);
+  const double added = run_patched(bounded, {true, 3});
+  CHECK(added <= 3 + 1e-9);
+  CHECK(added > 2.9);
+}
+
+TEST_CASE("embedding.md: a patched libfranka controller ends on a bad sample with its last command", "[docs]") {
+  rme::testing::FrankaArm franka;
+  franka.spoilt_tick = 2000;
+  (void)run_patched(franka, {true});
+  CHECK(franka.ticks == 2001);
+  CHECK(franka.commanded.allFinite());
+}
+
+TEST_CASE("embedding.md: Pinocchio's lines hold an unknown kilogram within 2 percent", "[docs]") {
+  pinocchio::Model robot;
+  pinocchio::urdf::buildModelFromXML("<robot/> with panda_finger_joint1", robot);
+  std::vector<std::string> joints;
+  for (int j = 1; j <= 7; ++j) joints.push_back("panda_joint" + std::to_string(j));
+  CarryingArm<7> carrying(robot, joints, "panda_link8", kPeriod, {});
+  Arm arm(panda(), ArmConfig(), panda().ready);
+  Vector nominal = Vector::Zero(), command = Vector::Zero();
+  for (int k = 0; k < 4000; ++k) {
+    if (k == 1000) arm.attach(unknown_kilogram());
+    nominal = impedance(arm.q(), arm.dq(), panda().ready, Vector::Zero()) + arm.dynamics().gravity;
+    command = carrying.command(nominal, arm.q(), arm.dq(), arm.tau_measured(), kPeriod);
+    arm.step(command);
+  }
+  const Vector wanted = torque_that_holds(unknown_kilogram(), arm.kinematics());
+  CHECK((command - nominal - wanted).norm() < 0.02 * wanted.norm());
 }
 
 TEST_CASE("embedding.md: settings are read from a file, and what is wrong with them is named", "[docs]") {

@@ -35,19 +35,21 @@ struct Robot {
   Watch watch;
 };
 
-TEST_CASE("LoadWatch: a load that is there is not missed, one that is dropped within 12 ms, at any bandwidth",
+TEST_CASE("LoadWatch: a load that is there is not missed, one that is dropped within 6 ms, at any bandwidth",
           "[host]") {
   for (const double bandwidth : {25.0, 50.0, 200.0}) {
     CAPTURE(bandwidth);
     Robot robot(bandwidth);
     robot.run(1000, Vector7::Zero());
     CHECK(robot.watch.missing() == 0);
-    // Dropped: the robot's own torque is what acts now. Through the average of 4 ms, 2 (1 - exp(-t / 4 ms)) - 1 of it
-    // is certainly missing: 0.9 after 12 ms.
-    robot.run(12, robot.load);
-    CHECK(robot.watch.missing() == Approx(1 - 2 * std::exp(-3.0)).epsilon(0.01));
+    // Dropped: the robot's own torque is what acts now. Through the average of 4 ms, 1 - exp(-t / 4 ms) of it is seen:
+    // 0.63 after 4 ms, of which 4 * 0.63 - 2 counts as missing; more than three quarters after 6 ms.
+    robot.run(4, robot.load);
+    CHECK(robot.watch.missing() == Approx(2 - 4 * std::exp(-1.0)).epsilon(0.01));
+    robot.run(2, robot.load);
+    CHECK(robot.watch.missing() == 1);
     CHECK_FALSE(robot.watch.lost());
-    robot.run(220, robot.load);
+    robot.run(235, robot.load);
     CHECK_FALSE(robot.watch.lost());
     robot.run(30, robot.load);
     CHECK(robot.watch.lost());
@@ -62,15 +64,15 @@ TEST_CASE("LoadWatch: a load that is there is not missed, one that is dropped wi
 TEST_CASE("LoadWatch: periods of several milliseconds are time that passed", "[host]") {
   Robot robot(50);
   robot.run(100, Vector7::Zero(), 4 * kPeriod);
-  robot.run(3, robot.load, 4 * kPeriod);
-  CHECK(robot.watch.missing() == Approx(1 - 2 * std::exp(-3.0)).epsilon(0.01));
+  robot.run(1, robot.load, 4 * kPeriod);
+  CHECK(robot.watch.missing() == Approx(2 - 4 * std::exp(-1.0)).epsilon(0.01));
 }
 
 TEST_CASE("LoadWatch: without a filter, the torque is taken as it is", "[host]") {
   Watch watch(0);
   const Vector7 load = Vector7::Constant(-3);
-  for (int k = 0; k < 12; ++k) watch.update(load, load, kPeriod);
-  CHECK(watch.missing() == Approx(1 - 2 * std::exp(-3.0)).epsilon(0.01));
+  for (int k = 0; k < 4; ++k) watch.update(load, load, kPeriod);
+  CHECK(watch.missing() == Approx(2 - 4 * std::exp(-1.0)).epsilon(0.01));
 }
 
 TEST_CASE("LoadWatch: a push to the side, or a heavier load, is no loss", "[host]") {

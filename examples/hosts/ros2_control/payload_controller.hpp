@@ -17,7 +17,6 @@
 
 namespace hosts {
 
-// <snippet ros2_control>
 /// An effort controller whose nominal_torque() is what your update() computes today, gravity included. Parameters:
 /// `joints`, names of the arm's Dofs joints from the base; `end_effector`, name of a frame; `rated_payload` [kg], or
 /// `settings`, a file that check_arm wrote; `gains` [N m/A], where the state interface `effort` is a motor current; and
@@ -63,6 +62,8 @@ class PayloadController : public controller_interface::ControllerInterface {
       if (rated_payload > 0) config.rated_payload = rated_payload;
       if (settings.empty() && !(rated_payload > 0)) throw std::invalid_argument("rated_payload, or settings: missing");
       if (get_update_rate() == 0) throw std::invalid_argument("update_rate: 0");
+      // <snippet ros2_control>
+      // In on_configure(); what is wrong with the model or the settings throws.
       const double period = 1.0 / get_update_rate();
       pinocchio::Model robot;
       pinocchio::urdf::buildModelFromXML(get_robot_description(), robot);
@@ -70,6 +71,7 @@ class PayloadController : public controller_interface::ControllerInterface {
                        period, config, Eigen::Map<const Vector>(gains.data()), Eigen::Map<const Vector>(rotors.data()),
                        Eigen::Map<const Vector>(friction.data()));
       payload_.emplace(period, config);
+      // </snippet>
     } catch (const std::exception& error) {
       RCLCPP_ERROR(get_node()->get_logger(), "%s", error.what());
       return CallbackReturn::ERROR;
@@ -78,8 +80,11 @@ class PayloadController : public controller_interface::ControllerInterface {
   }
 
   CallbackReturn on_activate(const rclcpp_lifecycle::State&) override {
+    // <snippet ros2_control>
+    // In on_activate().
     sensing_->reset();
     payload_->reset();
+    // </snippet>
     refused_ = 0;
     return CallbackReturn::SUCCESS;
   }
@@ -89,11 +94,14 @@ class PayloadController : public controller_interface::ControllerInterface {
     auto state = state_interfaces_.cbegin();  // joint by joint, in the order of state_interface_configuration()
     for (int j = 0; j < Dofs; ++j)
       for (Vector* v : {&q, &dq, &effort}) (*v)[j] = (state++)->get_optional().value_or(std::nan(""));
+    // <snippet ros2_control>
+    // In update(), with what the state interfaces position, velocity and effort say.
     rme::Status status = sensing_->update(q, dq, effort, period.seconds(), sample_);
     if (status == rme::Status::Ok) status = payload_->update(sample_);
+    const Vector command = nominal_torque(q, dq, sensing_->gravity()) + payload_->torque();
+    // </snippet>
     bool commanded = false;
     if (status == rme::Status::Ok) {
-      const Vector command = nominal_torque(q, dq, sensing_->gravity()) + payload_->torque();
       commanded = command.allFinite();
       for (int j = 0; commanded && j < Dofs; ++j)
         commanded = command_interfaces_[static_cast<std::size_t>(j)].set_value(command[j]);
@@ -117,11 +125,13 @@ class PayloadController : public controller_interface::ControllerInterface {
   }
 
   std::vector<std::string> joints_;
+  // <snippet ros2_control>
+  // Members.
   std::optional<rme::PinocchioSensing<Dofs>> sensing_;
   std::optional<rme::PayloadCompensation<double, Dofs>> payload_;
   rme::Proprioception<double, Dofs> sample_;
+  // </snippet>
   int refused_ = 0;  // ticks in a row without a command
 };
-// </snippet>
 
 }  // namespace hosts

@@ -10,10 +10,10 @@ namespace rme {
 /// A robot that was told of a load adds a torque t that carries it. If the object is dropped, t pushes the empty hand
 /// upwards, and tau_ext becomes t. The watch compares the two, tick by tick:
 ///
-///     missing = clamp(2 (tau . t / t . t) - 1, 0, 1)
+///     missing = clamp(4 (tau . t / t . t) - 2, 0, 1)
 ///
-/// with tau_ext's observer inverted and averaged over 4 ms (docs/theory_control.md (C28)). A torque that is not along t
-/// counts for nothing. Somebody who lifts the object has the same effect as a loss until the hand is let go. Real time:
+/// with tau_ext's observer inverted and averaged over 4 ms (docs/theory_control.md (C28)): an object is there or not, and
+/// the friction of joints that start to move hides a part of t. A torque that is not along t counts for nothing. Somebody who lifts the object has the same effect as a loss until the hand is let go. Real time:
 /// O(Dofs); no call allocates.
 template <typename Scalar, int Dofs>
 class LoadWatch {
@@ -41,7 +41,7 @@ class LoadWatch {
     const Scalar across = detail::dot(average_, average_) * square - along * along;
     missing_ = Scalar(0);
     if (square > Scalar(kLeast * kLeast) && across < along * along)
-      missing_ = std::max(Scalar(0), std::min(Scalar(1), 2 * along / square - 1));
+      missing_ = std::max(Scalar(0), std::min(Scalar(1), 4 * along / square - 2));
     missed_ = missing_ > 0 ? missed_ + period : 0;
     lost_ = lost_ || missed_ > kLost;
   }
