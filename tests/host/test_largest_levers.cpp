@@ -26,7 +26,8 @@ TEST_CASE("largest_levers: an arm of two links in a plane reaches as far as both
   }
 }
 
-TEST_CASE("largest_levers: no pose of a Panda exceeds what any one pose says, which is at most 2 percent more", "[host]") {
+TEST_CASE("largest_levers: no pose of a Panda exceeds what any one pose says, which is at most 2 percent more",
+          "[host]") {
   const unsigned seed = 371;
   CAPTURE(seed);
   std::mt19937 random(seed);

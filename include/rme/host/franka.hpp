@@ -22,13 +22,15 @@ namespace rme {
 inline EstimatorConfig<double, 7> franka_config() {
   EstimatorConfig<double, 7> config;
   config.torque_sign = TorqueSign::Reaction;
-  config.rated_payload = 3;            // [kg]
-  config.observer_bandwidth = 50;      // [rad/s]; undocumented: measure it
+  config.rated_payload = 3;        // [kg]
+  config.observer_bandwidth = 50;  // [rad/s]; undocumented: measure it
   return config;
 }
 
 /// The estimator's input in one call of a control callback.
-/// @param period  the callback's: more than a millisecond after lost packets
+/// @param model   the robot's
+/// @param state   of this call
+/// @param period  of this call: more than a millisecond after lost packets
 inline Proprioception<double, 7> franka_sample(const franka::Model& model, const franka::RobotState& state,
                                                franka::Duration period) {
   using Vector = JointVector<double, 7>;
@@ -45,6 +47,9 @@ inline Proprioception<double, 7> franka_sample(const franka::Model& model, const
 
 // <snippet franka_control>
 /// Commands your controller's torques plus the compensation, until your controller finishes the motion.
+/// @param robot    is controlled until `nominal` finishes the motion
+/// @param model    of the robot
+/// @param payload  begins at zero torque; what it knows stays
 /// @param nominal  callable (const franka::RobotState&, franka::Duration) -> franka::Torques, without gravity, which
 ///                 libfranka adds
 /// @return Ok: `nominal` has finished the motion. Otherwise, what was wrong with the sample that ended it
@@ -91,7 +96,8 @@ struct FrankaLoad {
 /// What came of a hand-over.
 struct FrankaHandOver {
   HandOver<double> judged;  ///< why nothing was handed over, unless it is ready
-  FrankaLoad asked, taken;  ///< the load that the robot was asked to take, and the one that it reports afterwards
+  FrankaLoad asked;         ///< the load that the robot was asked to take
+  FrankaLoad taken;         ///< the one that it reports afterwards
   bool done = false;        ///< whether the robot took at least half of the payload's mass
 };
 
