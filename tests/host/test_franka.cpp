@@ -191,7 +191,7 @@ TEST_CASE("franka_hand_over: what counts is what the robot took", "[host]") {
   franka::Robot robot(franka.simulation());
   Compensation payload(kPeriod, franka_config());
   REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
-  franka.arm.attach(unknown_kilogram());
+  const int handle = franka.arm.attach(unknown_kilogram());
   REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
   carry_about(franka, robot, payload);
   franka.takes = 0;  // says yes, and takes nothing
@@ -211,6 +211,10 @@ TEST_CASE("franka_hand_over: what counts is what the robot took", "[host]") {
   const Vector rest = torque_that_holds(unknown_kilogram(), franka.arm.kinematics()) -
                       torque_that_holds(franka.load, franka.arm.kinematics());
   CHECK((payload.torque() - rest).norm() < 0.2 * rest.norm());
+  const Vector upwards = torque_that_holds(franka.load, franka.arm.kinematics());
+  franka.arm.detach(handle);
+  REQUIRE(franka.control(robot, payload, 200) == Status::Ok);
+  CHECK((payload.torque() + upwards).norm() < 0.1 * upwards.norm());
 }
 
 TEST_CASE("franka_hand_over: the inertia is the payload's, in flange axes, once the arm has moved", "[host]") {

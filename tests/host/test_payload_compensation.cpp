@@ -212,6 +212,7 @@ TEST_CASE("PayloadCompensation: a payload is handed over when the hand has been 
   // The robot takes it. The hand is then empty for the estimator, and nothing is added.
   host.payload.handed_over(judged.body);
   CHECK((host.payload.torque() == Vector7::Zero()));
+  CHECK(host.payload.state().empty());
   Vector7 filtered = -host.arm.torque(judged.body.payload());
   const auto run = [&](int ticks) {
     for (int k = 0; k < ticks; ++k)

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "hosts/ros2_control/versions.hpp"
 #include "hosts/settings.hpp"
 
 namespace hosts {
@@ -31,6 +32,7 @@ class PayloadController : public controller_interface::ControllerInterface {
   CallbackReturn on_init() override {
     auto_declare<std::vector<std::string>>("joints", {});
     auto_declare<std::string>("end_effector", "");
+    declare_robot_description(*this);
     auto_declare<double>("rated_payload", 0);
     auto_declare<std::string>("settings", "");
     auto_declare<std::vector<double>>("gains", std::vector<double>(Dofs, 1));
@@ -61,12 +63,13 @@ class PayloadController : public controller_interface::ControllerInterface {
       const double rated_payload = get_node()->get_parameter("rated_payload").as_double();
       if (rated_payload > 0) config.rated_payload = rated_payload;
       if (settings.empty() && !(rated_payload > 0)) throw std::invalid_argument("rated_payload, or settings: missing");
-      if (get_update_rate() == 0) throw std::invalid_argument("update_rate: 0");
+      if (get_update_rate() == 0)
+        throw std::invalid_argument("update_rate: 0; in Humble, set this controller's own parameter update_rate");
       // <snippet ros2_control>
       // In on_configure(); what is wrong with the model or the settings throws.
       const double period = 1.0 / get_update_rate();
       pinocchio::Model robot;
-      pinocchio::urdf::buildModelFromXML(get_robot_description(), robot);
+      pinocchio::urdf::buildModelFromXML(robot_description(*this), robot);
       sensing_.emplace(rme::pinocchio_arm(robot, joints_), get_node()->get_parameter("end_effector").as_string(),
                        period, config, Eigen::Map<const Vector>(gains.data()), Eigen::Map<const Vector>(rotors.data()),
                        Eigen::Map<const Vector>(friction.data()));
@@ -93,7 +96,7 @@ class PayloadController : public controller_interface::ControllerInterface {
     Vector q, dq, effort;
     auto state = state_interfaces_.cbegin();  // joint by joint, in the order of state_interface_configuration()
     for (int j = 0; j < Dofs; ++j)
-      for (Vector* v : {&q, &dq, &effort}) (*v)[j] = (state++)->get_optional().value_or(std::nan(""));
+      for (Vector* v : {&q, &dq, &effort}) (*v)[j] = read(*state++);
     // <snippet ros2_control>
     // In update(), with what the state interfaces position, velocity and effort say.
     rme::Status status = sensing_->update(q, dq, effort, period.seconds(), sample_);
@@ -104,7 +107,7 @@ class PayloadController : public controller_interface::ControllerInterface {
     if (status == rme::Status::Ok) {
       commanded = command.allFinite();
       for (int j = 0; commanded && j < Dofs; ++j)
-        commanded = command_interfaces_[static_cast<std::size_t>(j)].set_value(command[j]);
+        commanded = write(command_interfaces_[static_cast<std::size_t>(j)], command[j]);
     }
     refused_ = commanded ? 0 : refused_ + 1;  // the last command stays, for a few ticks
     return refused_ < 5 ? return_type::OK : return_type::ERROR;

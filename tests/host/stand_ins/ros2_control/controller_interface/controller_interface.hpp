@@ -1,6 +1,6 @@
 #pragma once
 // As much of ros2_control as the hosts use, by its names and signatures. What is pure virtual there is so here, and
-// what cannot be copied, overridden or ignored there cannot be here.
+// what cannot be copied, overridden or ignored there cannot be here. With RME_STAND_IN_HUMBLE, as in ROS 2 Humble.
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -28,10 +28,16 @@ class LoanedStateInterface {
   LoanedStateInterface(LoanedStateInterface&&) = default;
   virtual ~LoanedStateInterface() = default;
   const std::string& get_name() const { return handle_->name; }
+#ifdef RME_STAND_IN_HUMBLE
+  double get_value() const {
+    return handle_->value;
+  }
+#else
   template <typename T = double>
   [[nodiscard]] std::optional<T> get_optional(unsigned int /*max_tries*/ = 10) const {
     return handle_->locked ? std::nullopt : std::optional<T>(handle_->value);
   }
+#endif
 
  private:
   std::shared_ptr<const Handle> handle_;
@@ -44,12 +50,18 @@ class LoanedCommandInterface {
   LoanedCommandInterface(LoanedCommandInterface&&) = default;
   virtual ~LoanedCommandInterface() = default;
   const std::string& get_name() const { return handle_->name; }
+#ifdef RME_STAND_IN_HUMBLE
+  void set_value(double value) {
+    handle_->value = value;
+  }
+#else
   template <typename T>
   [[nodiscard]] bool set_value(const T& value, unsigned int /*max_tries*/ = 10) {
     if (handle_->locked) return false;
     handle_->value = value;
     return true;
   }
+#endif
 
  private:
   Handle::SharedPtr handle_;
@@ -103,7 +115,11 @@ class ControllerInterfaceBase : public rclcpp_lifecycle::node_interfaces::Lifecy
   std::shared_ptr<rclcpp_lifecycle::LifecycleNode> get_node() { return node_; }
   std::shared_ptr<const rclcpp_lifecycle::LifecycleNode> get_node() const { return node_; }
   unsigned int get_update_rate() const { return params_.update_rate; }
-  const std::string& get_robot_description() const { return params_.robot_description; }
+#ifndef RME_STAND_IN_HUMBLE
+  const std::string& get_robot_description() const {
+    return params_.robot_description;
+  }
+#endif
   template <typename ParameterT>
   auto auto_declare(const std::string& name, const ParameterT& default_value) {
     if (!get_node()->has_parameter(name)) return get_node()->declare_parameter<ParameterT>(name, default_value);
