@@ -90,7 +90,7 @@ class RuntimeEstimator {
   RuntimeEstimator(int joints, double dt, const Config& config = Config())
       : joints_(joints),
         any_(detail::make_any_dofs<Estimator, Scalar, Fewest, Most>(
-            "RuntimeEstimator", joints, dt, [&](auto dofs) { return detail::fixed_config<dofs>(config); })) {}
+            "RuntimeEstimator", joints, dt, [&](auto count) { return detail::fixed_config<count>(config); })) {}
 
   /// The number of joints, as constructed.
   int joints() const noexcept { return joints_; }
