@@ -17,7 +17,6 @@
 
 namespace rme {
 
-// <snippet franka_sample>
 /// Settings for what a Franka arm reports.
 inline EstimatorConfig<double, 7> franka_config() {
   EstimatorConfig<double, 7> config;
@@ -27,25 +26,30 @@ inline EstimatorConfig<double, 7> franka_config() {
   return config;
 }
 
-/// The estimator's input in one call of a control callback.
-/// @param model   the robot's
-/// @param state   of this call
-/// @param period  of this call: more than a millisecond after lost packets
-inline Proprioception<double, 7> franka_sample(const franka::Model& model, const franka::RobotState& state,
-                                               franka::Duration period) {
+/// The estimator's input from a robot's state.
+/// @param jacobian  6x7 of the end effector in base axes, columns first, as libfranka's model and franka_ros2 give it
+/// @param state     of this tick
+/// @param period    measured [s]; 0 means the nominal period
+inline Proprioception<double, 7> franka_sample(const std::array<double, 42>& jacobian, const franka::RobotState& state,
+                                               double period) {
   using Vector = JointVector<double, 7>;
-  const std::array<double, 42> jacobian = model.zeroJacobian(franka::Frame::kEndEffector, state);
   Proprioception<double, 7> sample;
   sample.tau_ext = Eigen::Map<const Vector>(state.tau_ext_hat_filtered.data());
   sample.jacobian = Eigen::Map<const Jacobian<double, 7>>(jacobian.data());
   sample.rotation = Eigen::Map<const Matrix4<double>>(state.O_T_EE.data()).topLeftCorner<3, 3>();
   sample.dq = Eigen::Map<const Vector>(state.dq.data());
-  sample.period = period.toSec();  // 0 in the first call means the nominal period
+  sample.period = period;
   return sample;
 }
-// </snippet>
+/// The estimator's input in one call of a control callback.
+/// @param model   the robot's
+/// @param state   of this call
+/// @param period  of this call: more than a millisecond after lost packets; 0 in the first call
+inline Proprioception<double, 7> franka_sample(const franka::Model& model, const franka::RobotState& state,
+                                               franka::Duration period) {
+  return franka_sample(model.zeroJacobian(franka::Frame::kEndEffector, state), state, period.toSec());
+}
 
-// <snippet franka_control>
 /// Commands your controller's torques plus the compensation, until your controller finishes the motion.
 /// @param robot    is controlled until `nominal` finishes the motion
 /// @param model    of the robot
@@ -68,7 +72,6 @@ Status franka_control(franka::Robot& robot, const franka::Model& model, PayloadC
   });
   return status;
 }
-// </snippet>
 
 /// A load of the robot's, as setLoad() takes it; all zero means none.
 struct FrankaLoad {
