@@ -54,7 +54,8 @@ struct Hardware {
       handles.at(name + "/position")->value = arm.q()[j];
       handles.at(name + "/velocity")->value = arm.dq()[j];
       const double friction = load_friction * std::abs(gravity[j]) * std::tanh(arm.dq()[j] / 0.02);
-      handles.at(name + "/effort")->value = (arm.tau_measured()[j] + friction) / gains[j];
+      handles.at(name + "/effort")->value =
+          (arm.tau_measured()[j] - (lacks_gravity ? gravity[j] : 0) + friction) / gains[j];
     }
     if (torque_is_lost) handles.at("panda_joint7/effort")->value = std::nan("");
     const auto result = controller.update(rclcpp::Time(), period);
@@ -82,6 +83,7 @@ struct Hardware {
   Vector gains = Vector::Ones();  // [N m] for what `effort` is in
   double load_friction = 0;       // that the motors give besides, for each N m of gravity torque on a joint that moves
   bool torque_is_lost = false;
+  bool lacks_gravity = false;  // effort is the torque less gravity
 };
 
 }  // namespace rme::testing

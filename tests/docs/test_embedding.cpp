@@ -172,6 +172,22 @@ TEST_CASE("embedding.md: ros2_control's snippet takes motor currents, with the g
   CHECK((hardware.commanded() - controller.nominal - wanted).norm() < 0.02 * wanted.norm());
 }
 
+TEST_CASE("embedding.md: ros2_control's host takes an effort that lacks gravity, as a UR's, when it is told so",
+          "[docs]") {
+  for (const bool told : {true, false}) {
+    SwingingController controller;
+    Hardware hardware(controller);
+    hardware.lacks_gravity = true;
+    controller.get_node()->override_parameter("effort_lacks_gravity", told);
+    hardware.activate();
+    REQUIRE(hardware.run(1000) == 1000);
+    hardware.arm.attach(unknown_kilogram());
+    REQUIRE(hardware.run(3001) == 3001);
+    const Vector wanted = torque_that_holds(unknown_kilogram(), hardware.arm.kinematics());
+    CHECK(((hardware.commanded() - controller.nominal - wanted).norm() < 0.02 * wanted.norm()) == told);
+  }
+}
+
 TEST_CASE("embedding.md: ros2_control's snippet asks for its interfaces in the order in which it reads them",
           "[docs]") {
   SwingingController controller;

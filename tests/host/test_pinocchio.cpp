@@ -81,6 +81,7 @@ TEST_CASE("PinocchioSensing: sees what a moving arm's own observer, Jacobian and
     REQUIRE((sample.jacobian - arm.kinematics().jacobian).norm() < 1e-12);
     REQUIRE((sample.rotation - arm.kinematics().rotation).norm() < 1e-12);
     REQUIRE((sensing.gravity() - arm.dynamics().gravity).norm() < 1e-10);
+    REQUIRE((sensing.gravity(arm.q()) - arm.dynamics().gravity).norm() < 1e-10);
     REQUIRE((sample.dq == arm.dq()));
     REQUIRE(sample.period == kPeriod);
     arm.step(arm.dynamics().gravity);

@@ -20,7 +20,8 @@ namespace hosts {
 
 /// An effort controller whose nominal_torque() is what your update() computes today, gravity included. Parameters:
 /// `joints`, names of the arm's Dofs joints from the base; `end_effector`, name of a frame; `rated_payload` [kg], or
-/// `settings`, a file that check_arm wrote; `gains` [N m/A], where the state interface `effort` is a motor current; and
+/// `settings`, a file that check_arm wrote; `effort_lacks_gravity`, where `effort` is the torque less the model's gravity, as
+/// a UR's can be; `gains` [N m/A], where the state interface `effort` is a motor current; and
 /// `rotor_inertia` [kg m^2] and `load_friction`, where the settings have a "model".
 template <int Dofs>
 class PayloadController : public controller_interface::ControllerInterface {
@@ -34,6 +35,7 @@ class PayloadController : public controller_interface::ControllerInterface {
     auto_declare<std::string>("end_effector", "");
     declare_robot_description(*this);
     auto_declare<double>("rated_payload", 0);
+    auto_declare<bool>("effort_lacks_gravity", false);
     auto_declare<std::string>("settings", "");
     auto_declare<std::vector<double>>("gains", std::vector<double>(Dofs, 1));
     auto_declare<std::vector<double>>("rotor_inertia", std::vector<double>(Dofs, 0));
@@ -60,6 +62,7 @@ class PayloadController : public controller_interface::ControllerInterface {
       const std::string settings = get_node()->get_parameter("settings").as_string();
       rme::EstimatorConfig<double, Dofs> config;
       if (!settings.empty()) config = read_settings<Dofs>(settings);
+      effort_lacks_gravity_ = get_node()->get_parameter("effort_lacks_gravity").as_bool();
       const double rated_payload = get_node()->get_parameter("rated_payload").as_double();
       if (rated_payload > 0) config.rated_payload = rated_payload;
       if (settings.empty() && !(rated_payload > 0)) throw std::invalid_argument("rated_payload, or settings: missing");
@@ -97,6 +100,7 @@ class PayloadController : public controller_interface::ControllerInterface {
     auto state = state_interfaces_.cbegin();  // joint by joint, in the order of state_interface_configuration()
     for (int j = 0; j < Dofs; ++j)
       for (Vector* v : {&q, &dq, &effort}) (*v)[j] = read(*state++);
+    if (effort_lacks_gravity_ && q.allFinite()) effort += sensing_->gravity(q);
     // <snippet ros2_control>
     // In update(), with what the state interfaces position, velocity and effort say.
     rme::Status status = sensing_->update(q, dq, effort, period.seconds(), sample_);
@@ -134,6 +138,7 @@ class PayloadController : public controller_interface::ControllerInterface {
   std::optional<rme::PayloadCompensation<double, Dofs>> payload_;
   rme::Proprioception<double, Dofs> sample_;
   // </snippet>
+  bool effort_lacks_gravity_ = false;
   int refused_ = 0;  // ticks in a row without a command
 };
 

@@ -104,12 +104,7 @@ class PinocchioSensing {
   Status update(const Vector& q, const Vector& dq, const Vector& tau, double period,
                 Proprioception<double, Dofs>& sample) {
     if (!plausible(q) || !plausible(dq)) return Status::NonFiniteInput;
-    for (int i = 0; i < Dofs; ++i) {
-      const auto joint = static_cast<std::size_t>(i) + 1;
-      const int at = model_.idx_qs[joint];
-      q_[at] = model_.nqs[joint] == 2 ? std::cos(q[i]) : q[i];
-      if (model_.nqs[joint] == 2) q_[at + 1] = std::sin(q[i]);
-    }
+    set_positions(q);
     pinocchio::computeAllTerms(model_, data_, q_, dq);
     pinocchio::computeCoriolisMatrix(model_, data_, q_, dq);
     mass_matrix_ = data_.M.template selfadjointView<Eigen::Upper>();  // Pinocchio fills the upper triangle alone
@@ -132,6 +127,13 @@ class PinocchioSensing {
   /// Gravity torque at the last update(), for a controller that has no model of its own [N m].
   Vector gravity() const { return data_.g; }
 
+  /// Gravity torque in another pose, or before update() [N m]: for robots whose reported torque lacks it (UR).
+  /// @param q  joint positions [rad], finite
+  Vector gravity(const Vector& q) {
+    set_positions(q);
+    return pinocchio::computeGeneralizedGravity(model_, data_, q_);
+  }
+
   /// Adds a body to the model, in addition to those that it has, and begins anew: the model then carries the payload.
   /// Outside the loop: it may allocate.
   /// @param body  end-effector axes, about the end-effector origin
@@ -144,6 +146,14 @@ class PinocchioSensing {
   }
 
  private:
+  void set_positions(const Vector& q) {
+    for (int i = 0; i < Dofs; ++i) {
+      const auto joint = static_cast<std::size_t>(i) + 1;
+      const int at = model_.idx_qs[joint];
+      q_[at] = model_.nqs[joint] == 2 ? std::cos(q[i]) : q[i];
+      if (model_.nqs[joint] == 2) q_[at + 1] = std::sin(q[i]);
+    }
+  }
   static const pinocchio::Model& checked(const pinocchio::Model& arm, const std::string& end_effector) {
     const std::vector<std::string> joints(arm.names.begin() + 1, arm.names.end());
     const bool one_each = std::all_of(arm.nvs.begin() + 1, arm.nvs.end(), [](int nv) { return nv == 1; });

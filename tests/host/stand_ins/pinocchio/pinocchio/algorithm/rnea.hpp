@@ -19,4 +19,12 @@ const Eigen::MatrixXd& computeCoriolisMatrix(const Model& model, Data& data, con
   return data.C;
 }
 
+/// g, which is data.g as well.
+template <typename Q>
+const Eigen::VectorXd& computeGeneralizedGravity(const Model& model, Data& data, const Eigen::MatrixBase<Q>& q) {
+  data.g.head<7>() =
+      stand_in::arm_of(model).dynamics(stand_in::angles(model, q), Eigen::Matrix<double, 7, 1>::Zero()).gravity;
+  return data.g;
+}
+
 }  // namespace pinocchio
