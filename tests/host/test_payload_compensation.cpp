@@ -129,7 +129,7 @@ TEST_CASE("PayloadCompensation: the rate is the ramp's", "[host]") {
   CHECK(fastest > 0.019);
 }
 
-TEST_CASE("PayloadCompensation: restart() begins at zero torque and keeps the estimate; reset() forgets it", "[host]") {
+TEST_CASE("PayloadCompensation: restart() begins at zero torque and keeps the estimate, reset() forgets it", "[host]") {
   Holding host;
   host.payload.restart();
   CHECK((host.payload.torque() == Vector7::Zero()));
