@@ -1,5 +1,6 @@
 // CompensationRamp and MomentumObserver.
-#include "python/host_parts.hpp"
+#include <rme/host/runtime_compensation_ramp.hpp>
+#include <rme/host/runtime_momentum_observer.hpp>
 
 #include "python/bindings.hpp"
 

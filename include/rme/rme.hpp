@@ -1,5 +1,6 @@
 #pragma once
 /// What a host needs: estimator, momentum observer, compensation, and the controller. Not included are
+///  - what needs a robot's library: rme/host/franka.hpp (libfranka) and rme/host/pinocchio.hpp (Pinocchio);
 ///  - the published pipeline (rme/published/published_pipeline.hpp), with its network (rme/network/) and its inference
 ///    over a window of samples (rme/inference/, rme/sensing/);
 ///  - the JSON forms (rme/estimator_json.hpp and rme/network/json.hpp, target rme::json).
@@ -26,6 +27,14 @@
 #include <rme/estimator.hpp>
 #include <rme/estimator_config.hpp>
 #include <rme/estimator_state.hpp>
+#include <rme/host/hand_over.hpp>
+#include <rme/host/largest_levers.hpp>
+#include <rme/host/load_watch.hpp>
+#include <rme/host/payload_changes.hpp>
+#include <rme/host/payload_compensation.hpp>
+#include <rme/host/runtime_compensation_ramp.hpp>
+#include <rme/host/runtime_momentum_observer.hpp>
+#include <rme/host/runtime_payload_compensation.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/runtime_estimator.hpp>
 #include <rme/sensing/momentum_observer.hpp>

@@ -1,29 +1,65 @@
 #pragma once
 /// The estimator for hosts that learn the number of joints at run time.
-#include <cstddef>
 #include <optional>
+#include <rme/core/any_dofs.hpp>
 #include <rme/core/flange_motion.hpp>
-#include <rme/core/require.hpp>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/estimator.hpp>
 #include <rme/estimator_config.hpp>
 #include <rme/estimator_state.hpp>
-#include <string>
+#include <rme/sensing/proprioception.hpp>
+#include <rme/tracking/arm_prior.hpp>
 #include <type_traits>
-#include <utility>
 #include <variant>
 
 namespace rme {
 
 namespace detail {
 
-template <typename Scalar, int Fewest, typename Counts>
-struct EstimatorOfAny;
-template <typename Scalar, int Fewest, std::size_t... More>
-struct EstimatorOfAny<Scalar, Fewest, std::index_sequence<More...>> {
-  using Type = std::variant<Estimator<Scalar, Fewest + static_cast<int>(More)>...>;
-};
+/// The settings for Dofs joints.
+/// @throws std::invalid_argument naming the vector that has another length
+template <int Dofs, typename Scalar>
+EstimatorConfig<Scalar, Dofs> fixed_config(const EstimatorConfig<Scalar, Eigen::Dynamic>& config) {
+  EstimatorConfig<Scalar, Dofs> out;
+  out.gravity = config.gravity;
+  out.torque_sign = config.torque_sign;
+  out.rated_payload = config.rated_payload;
+  out.observer_bandwidth = config.observer_bandwidth;
+  out.sensing = config.sensing;
+  out.payload = config.payload;
+  if (!config.arm) return out;
+  out.arm = ArmPrior<Scalar, Dofs>{per_joint<Dofs>(config.arm->noise, "ArmPrior::noise"),
+                                   per_joint<Dofs>(config.arm->offset, "ArmPrior::offset"),
+                                   per_joint<Dofs>(config.arm->residual, "ArmPrior::residual"),
+                                   per_joint<Dofs>(config.arm->coulomb, "ArmPrior::coulomb"),
+                                   per_joint<Dofs>(config.arm->viscous, "ArmPrior::viscous")};
+  return out;
+}
+
+/// A sample from vectors and matrices of dynamic size; `compensation` and `gravity_torque` without entries are absent.
+/// @return Ok; WrongSize: `sample` is then as it was
+template <typename Scalar, int Dofs, typename Torque, typename Matrix, typename Velocity, typename Carried,
+          typename Gravity>
+Status fill_sample(const Eigen::MatrixBase<Torque>& tau_ext, const Eigen::MatrixBase<Matrix>& jacobian,
+                   const Eigen::Ref<const Matrix3<Scalar>>& rotation, const Eigen::MatrixBase<Velocity>& dq,
+                   double period, const std::optional<FlangeMotion<Scalar>>& motion,
+                   const Eigen::MatrixBase<Carried>& compensation, const Eigen::MatrixBase<Gravity>& gravity_torque,
+                   Proprioception<Scalar, Dofs>& sample) noexcept {
+  if (!has_size(tau_ext, Dofs, 1) || !has_size(jacobian, 6, Dofs) || !has_size(dq, Dofs, 1) ||
+      !(compensation.size() == 0 || has_size(compensation, Dofs, 1)) ||
+      !(gravity_torque.size() == 0 || has_size(gravity_torque, Dofs, 3)))
+    return Status::WrongSize;
+  sample.tau_ext = tau_ext;
+  sample.jacobian = jacobian;
+  sample.rotation = rotation;
+  sample.dq = dq;
+  sample.period = period;
+  sample.motion = motion;
+  if (compensation.size() > 0) sample.compensation.emplace() = compensation;
+  if (gravity_torque.size() > 0) sample.gravity_torque.emplace() = gravity_torque;
+  return Status::Ok;
+}
 
 }  // namespace detail
 
@@ -52,7 +88,9 @@ class RuntimeEstimator {
   /// @param config  as Estimator's; the vectors of `arm` have one entry per joint
   /// @throws std::invalid_argument naming the argument or the field out of range
   RuntimeEstimator(int joints, double dt, const Config& config = Config())
-      : joints_(joints), any_(make<Fewest>(joints, dt, config)) {}
+      : joints_(joints),
+        any_(detail::make_any_dofs<Estimator, Scalar, Fewest, Most>(
+            "RuntimeEstimator", joints, dt, [&](auto count) { return detail::fixed_config<count>(config); })) {}
 
   /// The number of joints, as constructed.
   int joints() const noexcept { return joints_; }
@@ -77,22 +115,12 @@ class RuntimeEstimator {
                 double period = 0, const std::optional<FlangeMotion<Scalar>>& motion = std::nullopt,
                 const Eigen::MatrixBase<Carried>& compensation = Carried(),
                 const Eigen::MatrixBase<Gravity>& gravity_torque = Gravity()) noexcept {
-    if (!fits(tau_ext, joints_, 1) || !fits(jacobian, 6, joints_) || !fits(dq, joints_, 1) ||
-        !(compensation.size() == 0 || fits(compensation, joints_, 1)) ||
-        !(gravity_torque.size() == 0 || fits(gravity_torque, joints_, 3)))
-      return Status::WrongSize;
     return std::visit(
         [&](auto& estimator) {
           Proprioception<Scalar, dofs<decltype(estimator)>> sample;
-          sample.tau_ext = tau_ext;
-          sample.jacobian = jacobian;
-          sample.rotation = rotation;
-          sample.dq = dq;
-          sample.period = period;
-          sample.motion = motion;
-          if (compensation.size() > 0) sample.compensation.emplace() = compensation;
-          if (gravity_torque.size() > 0) sample.gravity_torque.emplace() = gravity_torque;
-          return estimator.update(sample);
+          const Status status = detail::fill_sample<Scalar>(tau_ext, jacobian, rotation, dq, period, motion,
+                                                            compensation, gravity_torque, sample);
+          return status == Status::Ok ? estimator.update(sample) : status;
         },
         any_);
   }
@@ -109,7 +137,7 @@ class RuntimeEstimator {
   template <typename Matrix>
   Status compensation(const Eigen::MatrixBase<Matrix>& jacobian, const Eigen::Ref<const Matrix3<Scalar>>& rotation,
                       Eigen::Ref<Vector> torque) const noexcept {
-    if (!fits(jacobian, 6, joints_) || torque.size() != joints_) return Status::WrongSize;
+    if (!detail::has_size(jacobian, 6, joints_) || torque.size() != joints_) return Status::WrongSize;
     std::visit(
         [&](const auto& estimator) {
           const Jacobian<Scalar, dofs<decltype(estimator)>> fixed = jacobian;
@@ -143,53 +171,11 @@ class RuntimeEstimator {
   }
 
  private:
-  using Any =
-      typename detail::EstimatorOfAny<Scalar, Fewest,
-                                      std::make_index_sequence<static_cast<std::size_t>(Most - Fewest + 1)>>::Type;
-
   template <typename Reference>
   static constexpr int dofs = static_cast<int>(std::decay_t<Reference>::Torque::RowsAtCompileTime);
 
-  template <typename Derived>
-  static bool fits(const Eigen::MatrixBase<Derived>& x, int rows, int columns) noexcept {
-    return x.rows() == rows && x.cols() == columns;
-  }
-
-  template <int Dofs>
-  static Any make(int joints, double dt, const Config& config) {
-    if (joints == Dofs) return Any(std::in_place_type<Estimator<Scalar, Dofs>>, dt, fixed<Dofs>(config));
-    if constexpr (Dofs < Most) {
-      return make<Dofs + 1>(joints, dt, config);
-    } else {
-      detail::refuse("RuntimeEstimator::joints: expected " + std::to_string(Fewest) + " to " + std::to_string(Most) +
-                     ", got " + std::to_string(joints));
-    }
-  }
-  template <int Dofs>
-  static EstimatorConfig<Scalar, Dofs> fixed(const Config& config) {
-    EstimatorConfig<Scalar, Dofs> out;
-    out.gravity = config.gravity;
-    out.torque_sign = config.torque_sign;
-    out.rated_payload = config.rated_payload;
-    out.observer_bandwidth = config.observer_bandwidth;
-    out.sensing = config.sensing;
-    out.payload = config.payload;
-    if (!config.arm) return out;
-    const auto copy = [](const Vector& from, const char* field) {
-      if (from.size() != Dofs)
-        detail::refuse(std::string(field) + ": expected " + std::to_string(Dofs) + " numbers, one per joint, got " +
-                       std::to_string(from.size()));
-      return JointVector<Scalar, Dofs>(from);
-    };
-    out.arm = ArmPrior<Scalar, Dofs>{
-        copy(config.arm->noise, "ArmPrior::noise"), copy(config.arm->offset, "ArmPrior::offset"),
-        copy(config.arm->residual, "ArmPrior::residual"), copy(config.arm->coulomb, "ArmPrior::coulomb"),
-        copy(config.arm->viscous, "ArmPrior::viscous")};
-    return out;
-  }
-
   int joints_;
-  Any any_;
+  detail::AnyDofs<Estimator, Scalar, Fewest, Most> any_;
 };
 
 }  // namespace rme

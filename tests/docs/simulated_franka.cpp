@@ -1,13 +1,13 @@
 // Linked into libfranka_payload in place of libfranka: the robot at the address "simulated", and a user at the
 // keyboard. It is handed a kilogram after a second, and asked after another two to take it over; then the kilogram is
-// taken away.
+// dropped. At last the compensation is switched off and on again.
 #include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
-#include "franka_arm.hpp"
+#include "host/franka_arm.hpp"
 
 namespace {
 
@@ -35,11 +35,10 @@ struct Scene : rme::testing::FrankaArm {
       seen = loads_set;
       since = ticks;
     }
-    if (seen == 1 && ticks == since + 1000) {
-      arm.detach(payload);
-      type("empty\n");
-    }
-    if (seen == 2 && ticks == since + 1000) type("quit\n");
+    if (seen == 1 && ticks == since + 1000) arm.detach(payload);
+    if (seen == 2 && ticks == since + 500) type("off\n");
+    if (seen == 2 && ticks == since + 1500) type("on\n");
+    if (seen == 2 && ticks == since + 2500) type("quit\n");
   }
 
   int keyboard = -1, payload = 0, seen = 0, since = 0;

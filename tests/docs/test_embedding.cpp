@@ -1,7 +1,9 @@
 // The hosts of examples/hosts, from which docs/embedding.md has its code, here with stand-ins for their platforms.
-#include "franka_arm.hpp"
-#include "hosts/libfranka/franka_control.hpp"
+#include "host/franka_arm.hpp"
+#include "hosts/libfranka/patch.hpp"
+#include "hosts/pinocchio/loop.hpp"
 #include "hosts/ros2_control/joint_hold.hpp"
+#include "hosts/settings.hpp"
 
 #include <array>
 #include <cmath>
@@ -15,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "docs/ros2_hardware.hpp"
 #include "support/allocation_count.hpp"
 #include "support/catch.hpp"
 
@@ -27,6 +30,8 @@ using rme::testing::torque_that_holds;
 using rme::testing::unknown_kilogram;
 using namespace hosts;
 using Vector = rme::JointVector<double, 7>;
+using rme::testing::Hardware;
+using rme::testing::joint_names;
 using Arm = rme::examples::SyntheticArm<7>;
 using ArmConfig = rme::examples::SyntheticArmConfig<7>;
 
@@ -40,206 +45,62 @@ Vector impedance(const Vector& q, const Vector& dq, const Vector& q_d, const Vec
   return stiffness.cwiseProduct(q_d - q) + damping.cwiseProduct(dq_d - dq);
 }
 
-/// Runs the host's control loop for a while, around a controller that holds the pose, or swings about it once a second.
-struct FrankaHost : rme::testing::FrankaArm {
-  rme::Status control(franka::Robot& robot, PayloadCompensation<7>& payload, int duration) {
-    const int begin = ticks;
-    Vector last = Vector::Zero();
-    return hosts::control(robot, robot.loadModel(), payload, [&](const franka::RobotState& state) {
-      franka::Torques torques = state.q;  // any: it is overwritten
-      const double w = 6.283185307, phase = w * kPeriod * (ticks - begin);
-      const Vector wanted = impedance(
-          Eigen::Map<const Vector>(state.q.data()), Eigen::Map<const Vector>(state.dq.data()),
-          pose + Vector::Constant(swing * (1 - std::cos(phase))), Vector::Constant(w * swing * std::sin(phase)));
-      last += (wanted - last).cwiseMax(-0.5).cwiseMin(0.5);  // half of the robot's torque rate
-      Eigen::Map<Vector>(torques.tau_J.data()) = last;
-      return ticks + 1 < begin + duration ? torques : franka::MotionFinished(torques);
-    });
+/// Runs the patched loop for a while; a kilogram comes after a second.
+/// @return the largest of what was added on a joint
+double run_patched(rme::testing::FrankaArm& franka, const CarryOptions& options) {
+  franka::Robot robot(franka.simulation());
+  double added = 0;
+  Vector last = Vector::Zero();
+  const auto nominal = [&](const franka::RobotState& state, franka::Duration) {
+    if (franka.ticks > 0) added = std::max(added, (franka.commanded - last).cwiseAbs().maxCoeff());
+    if (franka.ticks == 1000) franka.arm.attach(unknown_kilogram());
+    const Vector wanted = impedance(Eigen::Map<const Vector>(state.q.data()), Eigen::Map<const Vector>(state.dq.data()),
+                                    franka.pose, Vector::Zero());
+    last += (wanted - last).cwiseMax(-0.5).cwiseMin(0.5);
+    franka::Torques torques(std::array<double, 7>{});
+    Eigen::Map<Vector>(torques.tau_J.data()) = last;
+    return franka.ticks < 4000 ? torques : franka::MotionFinished(torques);
+  };
+  run(robot, robot.loadModel(), nominal, options);
+  return added;
+}
+
+TEST_CASE("embedding.md: a patched libfranka controller commands what it did before, until it is switched on",
+          "[docs]") {
+  rme::testing::FrankaArm without, with, bounded;
+  CHECK(run_patched(without, {}) == 0);
+  CHECK((without.arm.q() - without.pose).norm() > 0.01);  // it sags
+  CHECK(run_patched(with, {true}) > 5);
+  CHECK((with.arm.q() - with.pose).norm() < 2e-3);
+  const double added = run_patched(bounded, {true, 3});
+  CHECK(added <= 3 + 1e-9);
+  CHECK(added > 2.9);
+}
+
+TEST_CASE("embedding.md: a patched libfranka controller ends on a bad sample with its last command", "[docs]") {
+  rme::testing::FrankaArm franka;
+  franka.spoilt_tick = 2000;
+  (void)run_patched(franka, {true});
+  CHECK(franka.ticks == 2001);
+  CHECK(franka.commanded.allFinite());
+}
+
+TEST_CASE("embedding.md: Pinocchio's lines hold an unknown kilogram within 2 percent", "[docs]") {
+  pinocchio::Model robot;
+  pinocchio::urdf::buildModelFromXML("<robot/> with panda_finger_joint1", robot);
+  std::vector<std::string> joints;
+  for (int j = 1; j <= 7; ++j) joints.push_back("panda_joint" + std::to_string(j));
+  CarryingArm<7> carrying(robot, joints, "panda_link8", kPeriod, {});
+  Arm arm(panda(), ArmConfig(), panda().ready);
+  Vector nominal = Vector::Zero(), command = Vector::Zero();
+  for (int k = 0; k < 4000; ++k) {
+    if (k == 1000) arm.attach(unknown_kilogram());
+    nominal = impedance(arm.q(), arm.dq(), panda().ready, Vector::Zero()) + arm.dynamics().gravity;
+    command = carrying.command(nominal, arm.q(), arm.dq(), arm.tau_measured(), kPeriod);
+    arm.step(command);
   }
-  double swing = 0;  // [rad]
-};
-
-TEST_CASE("embedding.md: libfranka's snippet holds an unknown kilogram within 2 percent", "[docs]") {
-  FrankaHost franka;
-  franka::Robot robot(franka.simulation());
-  PayloadCompensation<7> payload(kPeriod, franka_config());
-  (void)franka.control(robot, payload, 1000);
-  CHECK(payload.torque().isZero(0));
-  franka.arm.attach(unknown_kilogram());
-  (void)franka.control(robot, payload, 3000);
-
-  const Vector wanted = torque_that_holds(unknown_kilogram(), franka.arm.kinematics());
-  CAPTURE(payload.torque().transpose(), wanted.transpose());
-  CHECK((payload.torque() - wanted).norm() < 0.02 * wanted.norm());
-  CHECK((franka.arm.q() - franka.pose).norm() < 2e-3);
-  // The centre of mass in the end effector's axes, but for the part along gravity.
-  const rme::Payload<double> believed = payload.estimator().state().payload.payload();
-  const Eigen::Vector3d error = believed.com - franka.F_T_EE.inverse() * unknown_kilogram().com;
-  const Eigen::Matrix3d R = franka.arm.kinematics().rotation * franka.F_T_EE.linear();
-  CHECK((R * error).head<2>().norm() < 2e-3);
-}
-
-TEST_CASE(
-    "embedding.md: libfranka's snippet ends its loop on a bad sample with the last command, and says which it was",
-    "[docs]") {
-  FrankaHost franka;
-  franka::Robot robot(franka.simulation());
-  PayloadCompensation<7> payload(kPeriod, franka_config());
-  (void)franka.control(robot, payload, 1000);
-  franka.arm.attach(unknown_kilogram());
-  (void)franka.control(robot, payload, 2000);
-  const Vector held = payload.torque();
-  REQUIRE(held.norm() > 1);
-  franka.spoilt_tick = franka.ticks + 200;
-  CHECK(franka.control(robot, payload, 1000) == rme::Status::NonFiniteInput);
-  CHECK(franka.ticks == franka.spoilt_tick + 1);
-  CHECK((payload.torque() - held).norm() < 0.01);
-  CHECK((franka.commanded - held).norm() < 1);  // the last command, which was all right
-  CHECK(franka.control(robot, payload, 1000) == rme::Status::Ok);
-}
-
-TEST_CASE("embedding.md: libfranka's snippet holds an unknown kilogram although packets get lost", "[docs]") {
-  FrankaHost franka;
-  franka.loses_every = 7;
-  franka::Robot robot(franka.simulation());
-  PayloadCompensation<7> payload(kPeriod, franka_config());
-  (void)franka.control(robot, payload, 1000);
-  franka.arm.attach(unknown_kilogram());
-  (void)franka.control(robot, payload, 3000);
-  const Vector wanted = torque_that_holds(unknown_kilogram(), franka.arm.kinematics());
-  CAPTURE(payload.torque().transpose(), wanted.transpose());
-  CHECK((payload.torque() - wanted).norm() < 0.02 * wanted.norm());
-  // Packets that were lost are time that passed.
-  CHECK(std::abs(payload.estimator().state().time - franka.arm.time()) < 0.01);
-}
-
-TEST_CASE("embedding.md: the load handed over is the payload in flange axes, and rme then adds nothing", "[docs]") {
-  FrankaHost franka;
-  franka::Robot robot(franka.simulation());
-  PayloadCompensation<7> payload(kPeriod, franka_config());
-  CHECK_FALSE(hand_over(robot, franka.read(), payload));  // there is nothing yet
-  (void)franka.control(robot, payload, 1000);
-  CHECK_FALSE(hand_over(robot, franka.read(), payload));
-  franka.arm.attach(unknown_kilogram());
-  (void)franka.control(robot, payload, 60);
-  CHECK_FALSE(hand_over(robot, franka.read(), payload));  // it is still coming
-  CHECK(franka.loads_set == 0);
-
-  (void)franka.control(robot, payload, 1940);
-  CHECK(hand_over(robot, franka.read(), payload));
-  CHECK(franka.loads_set == 1);
-  const Vector wanted = torque_that_holds(unknown_kilogram(), franka.arm.kinematics());
-  CHECK((torque_that_holds(franka.load, franka.arm.kinematics()) - wanted).norm() < 0.02 * wanted.norm());
-  // By hand: the arm has rested, so that no inertia has shown; made_consistent() makes it 2 m radius^2 about any axis.
-  CHECK(franka.load.inertia.diagonal().minCoeff() >= 2 * 0.02 * 0.02 * franka.load.mass * (1 - 1e-9));
-
-  (void)franka.control(robot, payload, 10);
-  CHECK(payload.torque().isZero(0));
-  (void)franka.control(robot, payload, 2000);
-  CHECK(payload.estimator().state().empty());
-  CHECK(payload.torque().norm() < 0.05);
-  CHECK((franka.arm.q() - franka.pose).norm() < 2e-3);
-}
-
-TEST_CASE("embedding.md: a load that the robot has already is handed over together with the payload", "[docs]") {
-  FrankaHost franka;
-  franka::Robot robot(franka.simulation());
-  PayloadCompensation<7> payload(kPeriod, franka_config());
-  const RigidBody tool = box(0.7, {-0.02, 0.05, 0.03}, {0.05, 0.1, 0.05});
-  franka.arm.attach(tool);
-  robot.setLoad(tool.mass, {-0.02, 0.05, 0.03}, [&] {
-    std::array<double, 9> inertia;
-    Eigen::Map<Eigen::Matrix3d>(inertia.data()) = tool.inertia;
-    return inertia;
-  }());
-  REQUIRE(franka.control(robot, payload, 1000) == rme::Status::Ok);
-  CHECK(payload.estimator().state().empty());
-  franka.arm.attach(unknown_kilogram());
-  REQUIRE(franka.control(robot, payload, 2000) == rme::Status::Ok);
-  REQUIRE(hand_over(robot, franka.read(), payload));
-  const Vector wanted = torque_that_holds(unknown_kilogram() + tool, franka.arm.kinematics());
-  CHECK((torque_that_holds(franka.load, franka.arm.kinematics()) - wanted).norm() < 0.02 * wanted.norm());
-  CHECK(std::abs(franka.load.mass - 1.7) < 0.02);
-  REQUIRE(franka.control(robot, payload, 1000) == rme::Status::Ok);
-  CHECK(payload.torque().norm() < 0.05);
-}
-
-TEST_CASE("embedding.md: the inertia handed over is the payload's, in flange axes, once the arm has moved", "[docs]") {
-  FrankaHost franka;
-  franka.swing = 0.12;
-  franka::Robot robot(franka.simulation());
-  PayloadCompensation<7> payload(kPeriod, franka_config());
-  const RigidBody body = box(2, {0.03, -0.02, 0.16}, {0.4, 0.2, 0.1});
-  (void)franka.control(robot, payload, 1000);
-  franka.arm.attach(body);
-  (void)franka.control(robot, payload, 8000);
-  REQUIRE(hand_over(robot, franka.read(), payload));
-  CAPTURE(franka.load.inertia, body.inertia);
-  CHECK((franka.load.inertia - body.inertia).norm() < 0.2 * body.inertia.norm());
-}
-
-TEST_CASE("embedding.md: a handed-over load that is lost is a push to rme, which carries nothing", "[docs]") {
-  FrankaHost franka;
-  franka::Robot robot(franka.simulation());
-  PayloadCompensation<7> payload(kPeriod, franka_config());
-  (void)franka.control(robot, payload, 1000);
-  const int handle = franka.arm.attach(unknown_kilogram());
-  (void)franka.control(robot, payload, 2000);
-  REQUIRE(hand_over(robot, franka.read(), payload));
-  (void)franka.control(robot, payload, 1000);
-  franka.arm.detach(handle);
-  (void)franka.control(robot, payload, 3000);
-  const auto& state = payload.estimator().state();
-  CHECK(state.probability[rme::Mode::Disturbed] > 0.9);
-  CHECK(state.health > 10);
-  CHECK(state.payload.mean[0] < 0.02);
-  CHECK(payload.torque().norm() < 0.1);
-}
-
-TEST_CASE("embedding.md: after a wrong sign nothing is carried, and health says that something is wrong", "[docs]") {
-  FrankaHost franka;
-  franka::Robot robot(franka.simulation());
-  rme::EstimatorConfig<double, 7> config = franka_config();
-  config.torque_sign = rme::TorqueSign::External;
-  PayloadCompensation<7> payload(kPeriod, config);
-  (void)franka.control(robot, payload, 1000);
-  franka.arm.attach(unknown_kilogram());
-  (void)franka.control(robot, payload, 3000);
-  CHECK(payload.estimator().state().probability[rme::Mode::Disturbed] > 0.9);
-  CHECK(payload.estimator().state().health > 10);
-  CHECK(payload.estimator().state().confidence < 0.05);
-  CHECK(payload.torque().norm() < 0.1);
-}
-
-TEST_CASE("embedding.md: events tell a payload that came and one that went, once, and no push", "[docs]") {
-  FrankaHost franka;
-  franka::Robot robot(franka.simulation());
-  PayloadCompensation<7> payload(kPeriod, franka_config());
-  PayloadChanges changes;
-  const rme::EstimatorState<double>& state = payload.estimator().state();
-  (void)franka.control(robot, payload, 1000);
-  CHECK_FALSE(changes.since_last(state));
-  const int handle = franka.arm.attach(unknown_kilogram());
-  (void)franka.control(robot, payload, 1000);
-  CHECK(changes.since_last(state));
-  CHECK_FALSE(changes.since_last(state));
-  CHECK(state.event.kind == rme::EventKind::Attached);
-  CHECK(std::abs(state.event.onset - 1) < 0.03);
-
-  franka.arm.push({{0, 10, 0}, Eigen::Vector3d::Zero()});
-  (void)franka.control(robot, payload, 500);
-  franka.arm.push({});
-  (void)franka.control(robot, payload, 1000);
-  CHECK(state.event.kind == rme::EventKind::Pushed);
-  CHECK_FALSE(changes.since_last(state));
-
-  franka.arm.detach(handle);
-  (void)franka.control(robot, payload, 1000);
-  CHECK(state.event.kind == rme::EventKind::Removed);
-  CHECK(changes.since_last(state));
-  CHECK_FALSE(changes.since_last(state));
-  payload.reset();
-  CHECK(changes.since_last(state));
+  const Vector wanted = torque_that_holds(unknown_kilogram(), arm.kinematics());
+  CHECK((command - nominal - wanted).norm() < 0.02 * wanted.norm());
 }
 
 TEST_CASE("embedding.md: settings are read from a file, and what is wrong with them is named", "[docs]") {
@@ -257,75 +118,6 @@ TEST_CASE("embedding.md: settings are read from a file, and what is wrong with t
   (void)std::remove(file.c_str());
   CHECK_THROWS_WITH(read_settings<7>(file), contains(file));
 }
-
-std::vector<std::string> joint_names() {
-  std::vector<std::string> names;
-  for (int j = 1; j <= 7; ++j) names.push_back("panda_joint" + std::to_string(j));
-  return names;
-}
-
-/// Hardware that reports position, velocity and torque of each joint, and nothing else; and the controller manager.
-struct Hardware {
-  explicit Hardware(controller_interface::ControllerInterface& owner) : controller(owner) {
-    controller.get_node()->override_parameter("joints", joint_names());
-    controller.get_node()->override_parameter("end_effector", std::string("panda_link8"));
-    controller.get_node()->override_parameter("rated_payload", 3.0);
-  }
-  void activate() {
-    REQUIRE(controller.init({"payload", "<robot name='panda'/> with panda_finger_joint1, panda_finger_joint2", 1000}) ==
-            controller_interface::return_type::OK);
-    REQUIRE(controller.on_configure({}) == controller_interface::CallbackReturn::SUCCESS);
-    // Interfaces are lent by name, in the order in which the controller asks for them.
-    std::vector<hardware_interface::LoanedStateInterface> states;
-    std::vector<hardware_interface::LoanedCommandInterface> commands;
-    for (const std::string& name : controller.state_interface_configuration().names) states.emplace_back(handle(name));
-    for (const std::string& name : controller.command_interface_configuration().names)
-      commands.emplace_back(handle("command of " + name));
-    controller.assign_interfaces(std::move(commands), std::move(states));
-    REQUIRE(controller.on_activate({}) == controller_interface::CallbackReturn::SUCCESS);
-  }
-  hardware_interface::Handle::SharedPtr handle(const std::string& name) {
-    auto& found = handles[name];
-    if (!found) found = std::make_shared<hardware_interface::Handle>(hardware_interface::Handle{name});
-    return found;
-  }
-
-  controller_interface::return_type tick() {
-    const Vector gravity = panda().dynamics(arm.q(), Vector::Zero()).gravity;
-    for (int j = 0; j < 7; ++j) {
-      const std::string& name = names[static_cast<std::size_t>(j)];
-      handles.at(name + "/position")->value = arm.q()[j];
-      handles.at(name + "/velocity")->value = arm.dq()[j];
-      const double friction = load_friction * std::abs(gravity[j]) * std::tanh(arm.dq()[j] / 0.02);
-      handles.at(name + "/effort")->value = (arm.tau_measured()[j] + friction) / gains[j];
-    }
-    if (torque_is_lost) handles.at("panda_joint7/effort")->value = kNaN;
-    const auto result = controller.update(rclcpp::Time(), period);
-    arm.step(commanded());
-    return result;
-  }
-  /// @return how many went well
-  int run(int ticks) {
-    int good = 0;
-    for (int k = 0; k < ticks; ++k) good += tick() == controller_interface::return_type::OK ? 1 : 0;
-    return good;
-  }
-  Vector commanded() const {
-    Vector tau;
-    for (int j = 0; j < 7; ++j)
-      tau[j] = handles.at("command of " + names[static_cast<std::size_t>(j)] + "/effort")->value;
-    return tau;
-  }
-
-  controller_interface::ControllerInterface& controller;
-  Arm arm{panda(), ArmConfig(), panda().ready};
-  std::map<std::string, hardware_interface::Handle::SharedPtr> handles;
-  const std::vector<std::string> names = joint_names();
-  const rclcpp::Duration period = rclcpp::Duration::from_seconds(kPeriod);
-  Vector gains = Vector::Ones();  // [N m] for what `effort` is in
-  double load_friction = 0;       // that the motors give besides, for each N m of gravity torque on a joint that moves
-  bool torque_is_lost = false;
-};
 
 /// The user's side of the ros2_control snippet: swings the joints.
 class SwingingController : public PayloadController<7> {
@@ -378,6 +170,22 @@ TEST_CASE("embedding.md: ros2_control's snippet takes motor currents, with the g
   REQUIRE(hardware.run(3001) == 3001);
   const Vector wanted = torque_that_holds(unknown_kilogram(), hardware.arm.kinematics());
   CHECK((hardware.commanded() - controller.nominal - wanted).norm() < 0.02 * wanted.norm());
+}
+
+TEST_CASE("embedding.md: ros2_control's host takes an effort that lacks gravity, as a UR's, when it is told so",
+          "[docs]") {
+  for (const bool told : {true, false}) {
+    SwingingController controller;
+    Hardware hardware(controller);
+    hardware.lacks_gravity = true;
+    controller.get_node()->override_parameter("effort_lacks_gravity", told);
+    hardware.activate();
+    REQUIRE(hardware.run(1000) == 1000);
+    hardware.arm.attach(unknown_kilogram());
+    REQUIRE(hardware.run(3001) == 3001);
+    const Vector wanted = torque_that_holds(unknown_kilogram(), hardware.arm.kinematics());
+    CHECK(((hardware.commanded() - controller.nominal - wanted).norm() < 0.02 * wanted.norm()) == told);
+  }
 }
 
 TEST_CASE("embedding.md: ros2_control's snippet asks for its interfaces in the order in which it reads them",
@@ -538,7 +346,7 @@ TEST_CASE("hosts: the joint hold refuses a stiffness of another length", "[docs]
 rme::PayloadGaussian<double> believed(double period, double told_bandwidth) {
   rme::EstimatorConfig<double, 7> config;
   config.observer_bandwidth = told_bandwidth;
-  PayloadCompensation<7> payload(period, config);
+  rme::PayloadCompensation<double, 7> payload(period, config);
   const auto at = panda().kinematics(panda().ready);
   Vector tau_ext = Vector::Zero();
   for (int k = 0; k < 3000; ++k) {  // the observer has its own millisecond
@@ -546,7 +354,7 @@ rme::PayloadGaussian<double> believed(double period, double told_bandwidth) {
     if (k % static_cast<int>(std::lround(period / kPeriod)) != 0) continue;
     REQUIRE(payload.update({tau_ext, at.jacobian, at.rotation, Vector::Zero()}) == rme::Status::Ok);
   }
-  return payload.estimator().state().payload;
+  return payload.state().payload;
 }
 
 TEST_CASE("embedding.md: the default settings hold down to 10 Hz", "[docs]") {
@@ -554,7 +362,7 @@ TEST_CASE("embedding.md: the default settings hold down to 10 Hz", "[docs]") {
     CAPTURE(period);
     CHECK(std::abs(believed(period, 50).mean[0] - 1) < 2e-3);
   }
-  CHECK_THROWS_WITH(PayloadCompensation<7>(0.101), contains("Estimator::dt"));
+  CHECK_THROWS_WITH((rme::PayloadCompensation<double, 7>(0.101)), contains("Estimator::dt"));
 }
 
 TEST_CASE("embedding.md: half or twice the true bandwidth, or none, makes up to 3 percent of the mass", "[docs]") {

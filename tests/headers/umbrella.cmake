@@ -1,5 +1,5 @@
 # rme/rme.hpp brings what a host needs, directly or through another header, and leaves the rest to its own headers: JSON, the
-# published pipeline, its network, and inference over windows of samples.
+# published pipeline, its network, inference over windows of samples, and what needs a robot's library.
 cmake_minimum_required(VERSION 3.22)
 file(GLOB_RECURSE headers RELATIVE ${INCLUDE} ${INCLUDE}/*.hpp)
 set(pending rme/rme.hpp)
@@ -17,7 +17,7 @@ while(pending)
 endwhile()
 
 set(apart
-    "json\\.hpp$|^rme/(network|published|inference)/|^rme/sensing/(mismatch_detector|pseudo_wrench)|^rme/core/ring_buffer")
+    "json\\.hpp$|^rme/host/(franka|pinocchio)\\.hpp$|^rme/(network|published|inference)/|^rme/sensing/(mismatch_detector|pseudo_wrench)|^rme/core/ring_buffer")
 foreach(header IN LISTS headers)
   if(header MATCHES ${apart} AND NOT header STREQUAL rme/inference/payload_gaussian.hpp)
     if(header IN_LIST reached)

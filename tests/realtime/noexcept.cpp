@@ -106,6 +106,24 @@ struct Loop {
   static_assert(noexcept(my<Program>().start(a<Vector3>())));
   static_assert(noexcept(my<Program>().maximise(a<Vector3>(), my<rme::LinearProgramResult<Scalar, 3>>())));
 
+  // host
+  using Host = rme::PayloadCompensation<Scalar, Dofs>;
+  using Body = rme::InertialParameters<Scalar>;
+  using Dynamic = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+  using DynamicMatrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  using RuntimeHost = rme::RuntimePayloadCompensation<Scalar, Dofs, Dofs>;
+  using RuntimeRamp = rme::RuntimeCompensationRamp<Scalar>;
+  using RuntimeObserver = rme::RuntimeMomentumObserver<Scalar>;
+  static_assert(noexcept(my<Host>().update(a<Tick>())) && noexcept(a<Host>().torque()) && noexcept(a<Host>().state()));
+  static_assert(noexcept(my<Host>().enable(true)) && noexcept(my<Host>().restart()) && noexcept(my<Host>().reset()));
+  static_assert(noexcept(a<Host>().hand_over()) && noexcept(my<Host>().handed_over(a<Body>())));
+  static_assert(noexcept(a<Host>().load_lost()) && noexcept(my<Host>().load_cleared()));
+  static_assert(noexcept(a<RuntimeHost>().torque()) && noexcept(a<RuntimeHost>().hand_over()));
+  static_assert(noexcept(my<RuntimeRamp>().update(a<Dynamic>())) && noexcept(a<RuntimeRamp>().torque()));
+  static_assert(noexcept(my<RuntimeObserver>().update(a<Dynamic>(), a<Dynamic>(), a<DynamicMatrix>(), a<Dynamic>(),
+                                                      a<Dynamic>())));
+  static_assert(noexcept(a<RuntimeObserver>().tau_ext()) && noexcept(my<RuntimeObserver>().reset()));
+
   // control
   using Flow = rme::Flow<Scalar>;
   using Rows = rme::ConstraintRows<Scalar, Dofs, 28>;

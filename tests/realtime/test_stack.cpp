@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <rme/estimator.hpp>
+#include <rme/host/payload_compensation.hpp>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -56,6 +57,24 @@ TEST_CASE("Estimator: every call of the loop, reset() included, runs on a stack 
   CHECK(std::abs(held - 1) < 0.02);
   CHECK(torque.norm() > 1);
   CHECK(estimator->state().time == 0);
+}
+
+TEST_CASE("PayloadCompensation: may be constructed and used on a control thread's stack of 64 KiB", "[realtime]") {
+  HeldArm arm(87);
+  std::vector<Proprioception<double, 7>> samples;
+  for (int tick = 0; tick < 2000; ++tick) {
+    if (tick == 1000) arm.hold({1, {0, 0, 0.1}});
+    samples.push_back(arm.tick());
+  }
+  double held = 0;
+  run_on_stack(64 * 1024, [&] {
+    PayloadCompensation<double, 7> payload(HeldArm::kPeriod);
+    for (const auto& sample : samples) (void)payload.update(sample);
+    held = payload.state().payload.mean[0];
+    payload.handed_over(payload.hand_over().body);
+    payload.reset();
+  });
+  CHECK(std::abs(held - 1) < 0.02);
 }
 
 }  // namespace

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <pinocchio/parsers/urdf.hpp>
+#include <rme/host/pinocchio.hpp>
+#include <rme/rme.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "hosts/payload_compensation.hpp"
-#include "hosts/pinocchio/pinocchio_sensing.hpp"
+#include "hosts/settings.hpp"
 #include "io/log_reader.hpp"
 #include "io/program.hpp"
 
@@ -76,11 +77,11 @@ int carry(const pinocchio::Model& robot, const std::vector<std::string>& joints,
   std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
   const double period = steps[steps.size() / 2];
 
-  hosts::PinocchioSensing<Dofs> sensing(hosts::arm_of(robot, joints), frame, period, config, gains, rotors);
-  hosts::PayloadCompensation<Dofs> payload(period, config);
-  hosts::PayloadChanges changes;
+  rme::PinocchioSensing<Dofs> sensing(rme::pinocchio_arm(robot, joints), frame, period, config, gains, rotors);
+  rme::PayloadCompensation<double, Dofs> payload(period, config);
+  rme::PayloadChanges changes;
   rme::Proprioception<double, Dofs> sample;
-  const rme::EstimatorState<double>& state = payload.estimator().state();
+  const rme::EstimatorState<double>& state = payload.state();
   int refused = 0;
   for (std::size_t i = 0; i < log.size(); ++i) {  // the body is that of a control loop
     const double measured = i == 0 ? 0 : log.t[i] - log.t[i - 1];

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <mutex>
 #include <rclcpp/rclcpp.hpp>
+#include <rme/host/payload_changes.hpp>
 
 #include "hosts/ros2_control/payload_controller.hpp"
 
@@ -51,8 +52,7 @@ class JointHold : public PayloadController<Dofs> {
   return_type update(const rclcpp::Time& time, const rclcpp::Duration& period) override {
     const return_type result = Base::update(time, period);
     // The control loop must not wait: if report() is reading, this state is left out.
-    if (const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock); lock)
-      state_ = this->payload().estimator().state();
+    if (const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock); lock) state_ = this->payload().state();
     return result;
   }
 
@@ -83,7 +83,7 @@ class JointHold : public PayloadController<Dofs> {
   rclcpp::TimerBase::SharedPtr report_;
   std::mutex mutex_;
   rme::EstimatorState<double> state_;  // a copy for report(); under mutex_
-  PayloadChanges changes_;
+  rme::PayloadChanges changes_;
 };
 
 using JointHold6 = JointHold<6>;

@@ -42,11 +42,36 @@ bool tracker_is_not_fooled_by_a_push() {
          hand->hold(Vector6::Zero(), 500) && state.empty() && state.event.kind == rme::EventKind::Pushed;
 }
 
+/// Of a hand that everything turns about its origin: J is not that of a chain of joints, so that levers are given.
+bool host_carries_fades_and_judges() {
+  rme::PayloadCompensationConfig<float, 7> config;
+  config.levers = Vector7::Ones();
+  config.fade_time = 0.1F;
+  rme::PayloadCompensation<float, 7> payload(0.001, config);
+  rme::Proprioception<float, 7> sample;
+  sample.jacobian.leftCols<6>().setIdentity();
+  const Vector6 weight = rme::payload_wrench(rme::Payload<float>{1, {0.02F, 0, 0.1F}}, sample.rotation).vector();
+  const auto run = [&](const Vector6& wrench, int ticks) {
+    for (; ticks > 0; --ticks) {
+      sample.tau_ext += 0.05F * (sample.jacobian.transpose() * wrench - sample.tau_ext);
+      if (payload.update(sample) != Status::Ok) return false;
+    }
+    return true;
+  };
+  if (!run(Vector6::Zero(), 500) || payload.hand_over().verdict != rme::HandOverVerdict::Empty) return false;
+  if (!run(weight, 500) || !near(payload.torque().head<6>(), -weight, 0.3)) return false;
+  const rme::HandOver<float> judged = payload.hand_over();
+  if (!(judged.torque_error > 0) || !near(judged.body.mass, 1, 0.02)) return false;
+  payload.enable(false);
+  return run(weight, 101) && payload.torque().isZero(0);
+}
+
 }  // namespace
 
 const std::vector<Case> kTracker = {
     {"Estimator: finds, carries, lets go", tracker_finds_carries_and_lets_go},
     {"Estimator: not fooled by a push", tracker_is_not_fooled_by_a_push},
+    {"PayloadCompensation: carries, fades, judges", host_carries_fades_and_judges},
 };
 
 }  // namespace float_core

@@ -1,0 +1,21 @@
+#pragma once
+/// The estimator's settings from a file. The library itself reads no files.
+// <snippet settings>
+#include <fstream>
+#include <rme/estimator_json.hpp>  // needs nlohmann-json
+#include <stdexcept>
+#include <string>
+
+namespace hosts {
+
+/// Settings from a file such as {"rated_payload": 12.5, "observer_bandwidth": 0, "torque_sign": "reaction"}. Missing
+/// fields keep their defaults; unknown ones are refused by name.
+template <int Dofs>
+rme::EstimatorConfig<double, Dofs> read_settings(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw std::runtime_error("cannot read " + file);
+  return rme::estimator_config_from_json<double, Dofs>(nlohmann::json::parse(in));
+}
+
+}  // namespace hosts
+// </snippet>

@@ -1,0 +1,101 @@
+// Arms whose base does not stand upright: docs/embedding.md, "The base".
+#include <cmath>
+#include <memory>
+#include <random>
+#include <rme/estimator.hpp>
+#include <synthetic_arm/panda.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace rme;
+using rme::examples::panda;
+using Vector7 = JointVector<double, 7>;
+
+constexpr double kPeriod = 1e-3;  // [s]
+const Payload<double> kKilogram{1, {0.03, -0.02, 0.12}};
+
+/// An arm that moves slowly, and is handed a kilogram after two seconds; the base has the orientation base(t).
+/// @param sample  callable (kinematics in base axes, base, external torque, time) -> sample
+/// @return the mass after six seconds, and its standard deviation
+template <typename Base, typename Sample>
+std::pair<double, double> believed(const EstimatorConfig<double, 7>& config, Base&& base, Sample&& sample) {
+  std::mt19937 random(391);
+  std::normal_distribution<double> noise(0, 0.02);
+  const auto estimator = std::make_unique<Estimator<double, 7>>(kPeriod, config);
+  Vector7 filtered = Vector7::Zero();
+  bool started = false;
+  for (int k = 0; k < 6000; ++k) {
+    const double t = k * kPeriod;
+    Vector7 q = panda().ready, dq = Vector7::Zero();
+    for (int j = 0; j < 7; ++j) {
+      q[j] += 0.2 * std::sin(0.7 * t + j);
+      dq[j] = 0.14 * std::cos(0.7 * t + j);
+    }
+    const examples::Kinematics<7> at = panda().kinematics(q);
+    const Matrix3<double> B = base(t);
+    const Vector3<double> gravity = B.transpose() * standard_gravity<double>();  // base axes
+    Vector7 external = Vector7::NullaryExpr([&] { return noise(random); });
+    if (k > 2000) external -= compensation_torque(kKilogram, at.jacobian, at.rotation, gravity);
+    Proprioception<double, 7> in = sample(q, at, B, external);
+    if (!started) filtered = in.tau_ext;
+    started = true;
+    filtered += 50 * kPeriod * (in.tau_ext - filtered);
+    in.tau_ext = filtered;
+    in.dq = dq;
+    REQUIRE(estimator->update(in) == Status::Ok);
+  }
+  return {estimator->state().payload.mean[0], estimator->state().payload.standard_deviation()[0]};
+}
+
+Matrix3<double> tilted(double angle) {
+  return Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 0).normalized()).toRotationMatrix();
+}
+
+TEST_CASE("A base that is tilted for good: tau_ext + g(true) - g(assumed), and the true gravity, find the kilogram",
+          "[host]") {
+  const auto base = [](double) { return tilted(0.2); };
+  const Vector3<double> truth = tilted(0.2).transpose() * standard_gravity<double>();
+  // The robot's own model stands upright: it reports tau_ext + g(assumed) - g(true).
+  examples::ArmModel<7> upright = panda(), true_model = panda();
+  true_model.gravity_vector = truth;
+  const auto assumed_minus_true = [&](const Vector7& q) {
+    return Vector7(upright.dynamics(q, Vector7::Zero()).gravity - true_model.dynamics(q, Vector7::Zero()).gravity);
+  };
+  EstimatorConfig<double, 7> config;
+  config.sensing = Sensing::LinkSide;
+  config.gravity = truth;
+  const auto corrected = [&](const Vector7& q, const auto& at, const auto&, const Vector7& external) {
+    const Vector7 reported = external + assumed_minus_true(q);
+    return Proprioception<double, 7>{Vector7(reported - assumed_minus_true(q)), at.jacobian, at.rotation, {}};
+  };
+  const auto reported = [&](const Vector7& q, const auto& at, const auto&, const Vector7& external) {
+    return Proprioception<double, 7>{Vector7(external + assumed_minus_true(q)), at.jacobian, at.rotation, {}};
+  };
+  CHECK(std::abs(believed(config, base, corrected).first - 1) < 0.01);
+  // Setting the gravity alone does not do it: the robot's model is still upright.
+  CHECK_FALSE(std::abs(believed(config, base, reported).first - 1) < 0.05);
+}
+
+TEST_CASE("A base that tilts as it goes: with J and R in axes that are fixed to gravity, the kilogram is found",
+          "[host]") {
+  const auto base = [](double t) { return tilted(0.25 * std::sin(1.5 * t)); };
+  EstimatorConfig<double, 7> config;
+  config.sensing = Sensing::LinkSide;
+  const auto fixed_to_gravity = [](const Vector7&, const auto& at, const Matrix3<double>& B, const Vector7& external) {
+    Proprioception<double, 7> in;
+    in.tau_ext = external;
+    in.jacobian.topRows<3>() = B * at.jacobian.template topRows<3>();
+    in.jacobian.bottomRows<3>() = B * at.jacobian.template bottomRows<3>();
+    in.rotation = B * at.rotation;
+    return in;
+  };
+  const auto in_base_axes = [](const Vector7&, const auto& at, const auto&, const Vector7& external) {
+    return Proprioception<double, 7>{external, at.jacobian, at.rotation, {}};
+  };
+  CHECK(std::abs(believed(config, base, fixed_to_gravity).first - 1) < 0.01);
+  CHECK_FALSE(std::abs(believed(config, base, in_base_axes).first - 1) < 0.02);
+}
+
+}  // namespace

@@ -1,0 +1,126 @@
+#include <cmath>
+#include <rme/host/runtime_payload_compensation.hpp>
+
+#include "support/catch.hpp"
+
+// Compiled with the program replay_log, for all numbers of joints.
+extern template class rme::Estimator<double, 4>;
+extern template class rme::Estimator<double, 5>;
+extern template class rme::Estimator<double, 6>;
+extern template class rme::Estimator<double, 8>;
+
+namespace {
+
+using namespace rme;
+using Runtime = RuntimePayloadCompensation<double>;
+
+/// Samples of a made-up arm that moves, and gets a kilogram after half a second.
+template <int Dofs>
+Proprioception<double, Dofs> sample_at(int tick) {
+  const double t = 1e-3 * tick;
+  Proprioception<double, Dofs> sample;
+  const double angle = 0.3 * std::sin(t);
+  sample.rotation << std::cos(angle), 0, std::sin(angle), 0, 1, 0, -std::sin(angle), 0, std::cos(angle);
+  for (int j = 0; j < Dofs; ++j) {
+    for (int i = 0; i < 6; ++i) sample.jacobian(i, j) = std::sin(1.0 + i + 2 * j + 0.2 * std::sin(t));
+    sample.dq[j] = 0.01 * std::cos(t + j);
+  }
+  const double mass = tick > 500 ? 1 : 0;
+  sample.tau_ext = -compensation_torque<double>({mass, {0.01, 0, 0.1}}, sample.jacobian, sample.rotation);
+  for (int j = 0; j < Dofs; ++j) sample.tau_ext[j] += 0.01 * std::sin(1.7 * tick * (j + 1));
+  sample.period = tick % 7 == 0 ? 0.002 : 0;
+  return sample;
+}
+
+template <int Dofs>
+void check_equal() {
+  CAPTURE(Dofs);
+  PayloadCompensationConfig<double, Dofs> fixed;
+  Runtime::Config config;
+  fixed.estimator.rated_payload = config.estimator.rated_payload = 5;
+  fixed.fade_time = config.fade_time = 0.1;
+  fixed.hand_over_error = config.hand_over_error = 100;
+  fixed.torque_bound.emplace();
+  fixed.torque_rate.emplace();
+  fixed.levers.emplace();
+  for (int j = 0; j < Dofs; ++j) {
+    (*fixed.torque_bound)[j] = 4 + j;
+    (*fixed.torque_rate)[j] = 100 + 30 * j;
+    (*fixed.levers)[j] = 0.3 + 0.1 * j;
+  }
+  config.torque_bound = *fixed.torque_bound;
+  config.torque_rate = *fixed.torque_rate;
+  config.levers = *fixed.levers;
+  PayloadCompensation<double, Dofs> expected(0.001, fixed);
+  Runtime payload(Dofs, 0.001, config);
+  REQUIRE(payload.joints() == Dofs);
+  double largest = 0;
+  for (int tick = 0; tick < 1600; ++tick) {
+    if (tick % 400 == 300) {
+      expected.enable(tick % 800 == 300);
+      payload.enable(tick % 800 == 300);
+    }
+    if (tick == 1200) {
+      expected.handed_over(expected.hand_over().body);
+      payload.handed_over(payload.hand_over().body);
+    }
+    if (tick == 1500) {
+      expected.load_cleared();
+      payload.load_cleared();
+    }
+    const auto sample = sample_at<Dofs>(tick);
+    const Eigen::VectorXd tau_ext = sample.tau_ext, dq = sample.dq;
+    const Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor> jacobian = sample.jacobian;
+    REQUIRE(expected.update(sample) == payload.update(tau_ext, jacobian, sample.rotation, dq, sample.period));
+    REQUIRE((payload.torque() == expected.torque()));
+    REQUIRE(payload.enabled() == expected.enabled());
+    REQUIRE(payload.load_lost() == expected.load_lost());
+    largest = std::max(largest, payload.torque().norm());
+  }
+  CHECK(largest > 1);
+  CHECK((payload.state().payload.mean == expected.state().payload.mean));
+  CHECK((payload.state().payload.covariance == expected.state().payload.covariance));
+  CHECK(payload.hand_over().verdict == expected.hand_over().verdict);
+  CHECK(payload.hand_over().torque_error == expected.hand_over().torque_error);
+  payload.expect_change();
+  payload.in_contact(true);
+  payload.declare_empty();
+  CHECK(payload.state().empty());
+  CHECK(payload.set_payload(PayloadGaussian<double>::independent({0.4, 0, 0, 0.1}, {0.01, 0.01, 0.01, 0.01})) ==
+        Status::Ok);
+  CHECK(std::abs(payload.state().payload.mean[0] - 0.4) < 0.02);
+  payload.restart();
+  CHECK(payload.torque().isZero(0));
+  payload.reset();
+  CHECK(payload.state().time == 0);
+}
+
+TEST_CASE("RuntimePayloadCompensation: for 4 to 8 joints it commands what PayloadCompensation does, to the last bit",
+          "[host]") {
+  check_equal<4>();
+  check_equal<6>();
+  check_equal<7>();
+  check_equal<8>();
+}
+
+TEST_CASE("RuntimePayloadCompensation: what does not fit is refused", "[host]") {
+  Runtime payload(6, 0.001);
+  const auto sample = sample_at<6>(0);
+  const Eigen::VectorXd tau = sample.tau_ext, seven = Eigen::VectorXd::Zero(7);
+  const Eigen::MatrixXd J = sample.jacobian, wide = Eigen::MatrixXd::Zero(6, 7);
+  REQUIRE(payload.update(tau, J, sample.rotation, tau) == Status::Ok);
+  CHECK(payload.update(seven, J, sample.rotation, tau) == Status::WrongSize);
+  CHECK(payload.update(tau, wide, sample.rotation, tau) == Status::WrongSize);
+  CHECK(payload.update(tau, J, sample.rotation, seven) == Status::WrongSize);
+  CHECK(payload.update(tau, J, Matrix3<double>::Zero(), tau) == Status::NotARotation);
+  CHECK(payload.state().time == 0.001);
+  CHECK_THROWS_WITH(Runtime(3, 0.001), contains("RuntimePayloadCompensation::joints: expected 4 to 8, got 3"));
+  for (const char* field : {"torque_rate", "torque_bound", "levers"}) {
+    Runtime::Config config;
+    (field[7] == 'r' ? config.torque_rate : field[0] == 'l' ? config.levers : config.torque_bound) = seven;
+    CHECK_THROWS_WITH(Runtime(6, 0.001, config), contains(std::string("PayloadCompensationConfig::") + field +
+                                                          ": expected 6 numbers, one per joint, got 7"));
+  }
+}
+
+}  // namespace
