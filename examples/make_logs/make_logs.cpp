@@ -38,6 +38,7 @@ events of each recording.
                       D  payload A is attached, B is added, B is removed, A is removed; pushes of 5 to 15 N in between
                       E  attached at 1 s at rest, carried and turned from 3 s on, with the true payload compensated
                       F  a cup is attached at 1 s and filled from 3 s on for 4 to 15 s
+                      H  as E, but it is taken over gradually, within 0.3 to 3 s
                       M  always moving; attached at 5 s, removed at 12 s, with the true payload compensated
   --runs N          recordings of each scenario (default 4)
   --seed N          of everything random (default 1)

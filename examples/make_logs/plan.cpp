@@ -106,6 +106,16 @@ void carry(Plan& plan, Dice& dice) {
   plan.motion = draw_motion(dice, 3, dice.uniform(0.9, 1.2), 0.1);
 }
 
+// Handed over: somebody lets go of it within 0.3 to 3 s, on an arm that has not moved yet.
+void take_over(Plan& plan, Dice& dice) {
+  plan.gains = path_gains();
+  plan.feed_forward = true;
+  const double seconds = dice.tick(0.3, 3);
+  plan.events = {{1, true, 'A', draw_payload(dice, 0.2, 2), seconds}};
+  plan.motion = draw_motion(dice, 3 + seconds, dice.uniform(0.9, 1.2), 0.1);
+  plan.duration = 11 + seconds;
+}
+
 // The cup has 30 % of the final mass; the rest is poured in.
 void fill(Plan& plan, Dice& dice) {
   plan.offset = dice.normals(0.006);
@@ -126,7 +136,7 @@ void always_moving(Plan& plan, Dice& dice) {
 
 }  // namespace
 
-const std::string kScenarios = "ABDEFM";
+const std::string kScenarios = "ABDEFHM";
 
 PoseTarget Motion::pose(double t, const PoseTarget& home) const {
   const double s = t - start, x = std::clamp(s / rise, 0.0, 1.0);
@@ -172,6 +182,9 @@ Plan draw_plan(char scenario, std::mt19937_64& random) {
       break;
     case 'F':
       fill(plan, dice);
+      break;
+    case 'H':
+      take_over(plan, dice);
       break;
     case 'M':
       always_moving(plan, dice);

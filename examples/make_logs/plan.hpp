@@ -53,7 +53,7 @@ struct Plan {
   double singular = 0.1;      // least singular value of J that is allowed
 };
 
-/// All scenarios: "ABDEFM".
+/// All scenarios: "ABDEFHM".
 extern const std::string kScenarios;
 
 /// Draws a recording of a scenario.

@@ -77,7 +77,7 @@ class Recorder {
       arm_.detach(held->handle);
       carried_.erase(held);
     } else if (held == carried_.end()) {
-      carried_.push_back({event.slot, arm_.attach(event.body, event.ramp), event.body, event.t});
+      carried_.push_back({event.slot, arm_.attach(event.body, event.ramp), event.body, event.t + event.ramp});
     } else {  // more of the same payload
       const double more = (event.body.mass - held->body.mass) / event.body.mass;
       (void)arm_.attach(more * event.body, event.ramp);

@@ -4,7 +4,7 @@
 // a row for each scenario and folder:
 //
 //   mass, centre of mass   mean absolute error over the scenario's window and all runs, and how often the 90 % interval
-//                          holds the truth. Windows: A, B at 0.5 s after the attach; D the whole run; E the last 4 s;
+//                          holds the truth. Windows: A, B at 0.5 s after the attach; D the whole run; E, H the last 4 s;
 //                          F the end; M 8 to 11.9 s
 //   end                    mean absolute error of the mass at the end
 //   lag                    F: largest error of the mass from the beginning of the pour on, mean over the runs
@@ -33,7 +33,7 @@ using namespace rme::examples;
 
 constexpr const char* kUsage = "usage: score_tracking FOLDER... [options]\n";
 constexpr const char* kOwnUsage =
-    "  --scenario LETTERS  which scenarios (ABDEFM)\n"
+    "  --scenario LETTERS  which scenarios (ABDEFHM)\n"
     "  --dq-noise W        white noise on dq, standard deviation [rad/s]\n"
     "  --torque-step T     tau_ext is quantised in steps of T [N m]\n"
     "  --late N            tau_ext is delayed by N rows\n"
@@ -123,6 +123,7 @@ Score score(const Log<7>& log, const std::string& scenario, double attach, const
                                                              {'B', {attach + 0.5, attach + 0.5}},
                                                              {'D', {0, last}},
                                                              {'E', {last - 4, last}},
+                                                             {'H', {last - 4, last}},
                                                              {'F', {last - 0.05, last}},
                                                              {'M', {8, 11.9}}};
   const auto [begin, end] = windows.at(scenario[0]);
@@ -182,7 +183,7 @@ void print(const std::string& folder, const std::string& scenario, std::vector<S
 
 int run(Arguments& arguments) {
   Faults faults;
-  const std::string scenarios = arguments.text("--scenario").value_or("ABDEFM");
+  const std::string scenarios = arguments.text("--scenario").value_or("ABDEFHM");
   faults.dq_noise = arguments.number("--dq-noise").value_or(0);
   faults.torque_step = arguments.number("--torque-step").value_or(0);
   faults.lost = arguments.number("--lost").value_or(0);
@@ -213,7 +214,7 @@ int run(Arguments& arguments) {
       const std::string name = entry.at("name");
       // Some folders also have runs without faults, with "clean" in their names: they are left out.
       if (scenario.size() != 1 || scenarios.find(scenario) == std::string::npos ||
-          name.find("clean") != std::string::npos || std::string("ABDEFM").find(scenario) == std::string::npos)
+          name.find("clean") != std::string::npos || std::string("ABDEFHM").find(scenario) == std::string::npos)
         continue;
       const std::string file = entry.at("file");
       std::fprintf(stderr, "\r%-70s", file.c_str());

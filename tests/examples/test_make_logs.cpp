@@ -70,7 +70,7 @@ std::size_t row(double t) {
 
 TEST_CASE("make_logs: what the manifest says is what happens in the recordings", "[make_logs]") {
   const Recordings recordings("--runs 1 --seed 4 --plain");
-  REQUIRE(recordings.manifest()["runs"].size() == 6);
+  REQUIRE(recordings.manifest()["runs"].size() == 7);
   for (const json& run : recordings.manifest()["runs"]) {
     CAPTURE(run["name"].get<std::string>());
     const Log<7> log = recordings.log(run);

@@ -27,8 +27,7 @@ TorqueBlock<Scalar, Dofs> block_at_rest(const Eigen::Matrix<Scalar, 6, Dofs>& ja
   return block;
 }
 
-/// What Histories computes, without its shortcuts: a list of stories that grows without bound. Payloads are numbered
-/// such that the one that follows payload n is n + 1. Those that say the same of the present are added up, or are not.
+/// What Histories computes, without its shortcuts: a list of stories that grows without bound. Those that say the same of the present are added up, or are not.
 template <int Dofs>
 class EnumeratedStories {
  public:
@@ -61,9 +60,12 @@ class EnumeratedStories {
   void children(const Model& model, const Tale& p, bool goes_on) {
     const SensingKind& kind = model.kind();
     const double c = kind.change;
-    const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false) {
-      const bool same = mode == p.mode && !anew && (mode != Mode::Disturbed || how == p.how);
-      if (same == goes_on && probability > 0) add(take_in(model, p, mode, how, anew, std::log(probability)));
+    const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false,
+                           bool quick = false, bool late = false) {
+      const bool same = mode == p.mode && !anew && (mode != Mode::Disturbed || how == p.how) &&
+                        (mode != Mode::Pouring || quick == p.quick);
+      if (same == goes_on && probability > 0)
+        add(take_in(model, p, mode, how, anew, quick, late, std::log(probability)));
     };
     const auto disturb = [&] {
       child(Mode::Disturbed, H::kDisturbs);
@@ -75,16 +77,20 @@ class EnumeratedStories {
       child(Mode::Changing, c);
       if (p.mode == Mode::Held) child(Mode::Empty, 0.3 * c);
       disturb();
+      if (p.mode == Mode::Empty) child(Mode::Pouring, kind.takes_up, Disturbing::Hand, false, true);
       if (blocks_ % 5 == 0) child(Mode::Pouring, 5 * pours);
     } else if (p.mode == Mode::Pouring) {
-      child(Mode::Pouring, 1 - H::kPourEnds - c - H::kDisturbs - kind.jolt);
-      child(Mode::Held, H::kPourEnds);
+      const double ends = p.quick ? H::kQuickEnds : H::kPourEnds;
+      child(Mode::Pouring, 1 - ends - c - H::kDisturbs - kind.jolt, Disturbing::Hand, false, p.quick);
+      child(Mode::Held, ends);
       child(Mode::Changing, c);
       disturb();
     } else if (p.mode == Mode::Changing) {
       child(Mode::Changing, 1 - H::kSettles - H::kEmpties - H::kTurnsOut);
       child(Mode::Disturbed, H::kTurnsOut);
       child(Mode::Held, H::kSettles, Disturbing::Hand, true);
+      if (kind.lag > 0 && p.star.variance(kLag) < H::kLate * H::kLate)
+        child(Mode::Held, H::kSettles * H::kIsLate, Disturbing::Hand, true, false, true);
       if (p.payload != 0) child(Mode::Empty, H::kEmpties);
     } else {
       const bool jolt = p.how == Disturbing::Jolt, soft = p.how == Disturbing::Growing || p.how == Disturbing::Still;
@@ -99,15 +105,18 @@ class EnumeratedStories {
     }
   }
 
-  Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, double log_transition) {
+  Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, bool quick, bool late,
+               double log_transition) {
     Tale child = parent;
     child.mode = mode;
     child.how = how;
+    child.quick = quick;
     model.predict(child.star);
-    child.log_weight += log_transition + likelihood(model, parent, child, anew);
+    if (parent.mode == Mode::Pouring && mode != Mode::Pouring) child.star.end_pour();
+    child.log_weight += log_transition + likelihood(model, parent, child, anew, late);
     return child;
   }
-  double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew) {
+  double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew, bool late) {
     const double duration = model.block().duration;
     double squared;  // of no use here
     if (child.mode == Mode::Disturbed) {
@@ -119,7 +128,6 @@ class EnumeratedStories {
       return child.disturbance.observe(model, child.star, jolt ? H::kJolt : 0, squared);
     }
     if (child.mode == Mode::Changing) {
-      child.next = child.payload + 1;
       auto star = child.star;
       if (model.kind().draws) return draw(model, star) + plausible(star);
       Disturbance<double, Dofs> anything;
@@ -127,6 +135,7 @@ class EnumeratedStories {
       return anything.observe(model, star, 0, squared);
     }
     if (child.mode == Mode::Empty) {
+      if (parent.payload != 0) model.unload(child.star, parent.star.payload_mean());
       child.star.forget_payload();
       child.payload = 0;
       child.log_plausible = 0;
@@ -134,13 +143,19 @@ class EnumeratedStories {
     }
     double out = 0;
     if (anew) {
-      child.payload = parent.next;
+      child.payload = child.next++;
       child.log_plausible = 0;
+      if (late) {
+        Eigen::Matrix<double, kArmShared, 1> wider = Eigen::Matrix<double, kArmShared, 1>::Zero();
+        wider[kLag] = H::kLate * H::kLate;
+        child.star.widen_arm(wider);
+      }
       out = draw(model, child.star);
     } else if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
-        child.pour.begin(child.star, prior_, rated_);
-        child.payload = std::max(child.payload, 1);
+        if (child.quick) model.suppose_hidden(child.star, prior_.com_mean);
+        child.pour.begin(child.star, prior_, rated_, child.quick);
+        if (child.payload == 0) child.payload = child.next++;
       }
       child.pour.predict(child.star, duration, prior_, rated_);
       out = observe(model, child.star, &child.pour);
@@ -157,7 +172,7 @@ class EnumeratedStories {
     auto shown = star;
     observe(model, shown, nullptr);
     const double mass = std::clamp(shown.mass(), 0.02 * rated_, rated_);
-    star.draw_payload(prior_.mean(), prior_.factor(mass * mass + shown.variance(kPayload)));
+    star.draw_payload(prior_.mean(), prior_.factor(mass * mass + shown.mass_variance()));
     return observe(model, star, nullptr);
   }
   double observe(const Model& model, StarGaussian<double, Dofs>& star, Pour<double, Dofs>* pour) {
@@ -172,7 +187,7 @@ class EnumeratedStories {
     return out;
   }
   double plausible(const StarGaussian<double, Dofs>& star, double lightest = 0.007) const {
-    const double deviation = std::sqrt(std::max(star.variance(kPayload), 1e-12));
+    const double deviation = std::sqrt(std::max(star.mass_variance(), 1e-12));
     const auto below = [&](double m) { return 0.5 * std::erfc((star.mass() - m) / deviation / std::sqrt(2.0)); };
     return std::log(std::max(1e-30, below(1.2 * rated_) - below(lightest * rated_)));
   }

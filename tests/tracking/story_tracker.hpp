@@ -1,5 +1,5 @@
 #pragma once
-// Tracker with stories for every kind of torque sensing; Tracker has them for rough models alone.
+/// The filter over the payload, for all kinds of torque sensing.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -77,8 +77,8 @@ class StoryTracker {
     carries_ = true;
     carried_ = carried;
     for (std::size_t k = 0; k < kSensings; ++k) {
-      context.kind_likely = belief_.sensing[k] > Scalar(kUnlikely);
-      kinds_[k].begin(block, regime_, context);
+      context.log_share = static_cast<Scalar>(evidence_[k]);
+      kinds_[k].begin(block, regime_, context, children_);
     }
     kind_ = 0;
     busy_ = true;
@@ -87,7 +87,7 @@ class StoryTracker {
   /// @return whether it was the last step: belief() has then been updated
   bool advance() noexcept {
     if (!busy_) return false;
-    if (kinds_[kind_].advance()) ++kind_;
+    if (kinds_[kind_].advance(children_)) ++kind_;
     if (kind_ < kSensings) return false;
     busy_ = false;
     finish();
@@ -118,9 +118,12 @@ class StoryTracker {
   void tare() noexcept {
     settle();
     const Scalar mass = Scalar(kTareMass) * rated_, moment = Scalar(kTareArm) * mass;
+    Eigen::Matrix<Scalar, kArmShared, 1> variance = Eigen::Matrix<Scalar, kArmShared, 1>::Zero();
+    variance[kTool] = mass * mass;
+    for (int i = 1; i < 4; ++i) variance[kTool + i] = moment * moment;
     for (auto& kind : kinds_) {
       kind.reopen_offsets();
-      kind.tare(Vector4<Scalar>(mass * mass, moment * moment, moment * moment, moment * moment));
+      kind.tare(variance);
     }
     summarise();
   }
@@ -148,7 +151,8 @@ class StoryTracker {
     if (!StarGaussian<Scalar, Dofs>::factorise(P, factor)) return;
     for (auto& kind : kinds_) {
       kind.reopen_offsets();
-      kind.believe_held(mean, factor, Scalar(kHostIsRight));
+      const Scalar spread = static_cast<Scalar>(kind.model().kind().spread);
+      kind.believe_held(mean, detail::scaled(1 / spread, factor), Scalar(kHostIsRight));
     }
     summarise();
   }
@@ -173,10 +177,11 @@ class StoryTracker {
   void finish() noexcept {
     using std::exp;
     // A disturbance or a pour shows little of the kind of sensing: another kind can explain it by errors of its model.
-    const double hidden =
-        static_cast<double>(belief_.probability[Mode::Disturbed] + belief_.probability[Mode::Pouring]);
+    Scalar hidden = Scalar(0);
+    for (std::size_t k = 0; k < kSensings; ++k)
+      if (belief_.sensing[k] > Scalar(kUnlikely)) hidden = std::max(hidden, kinds_[k].disturbed());
     const double weight =
-        std::min(1.0, static_cast<double>(speed_) / kFullSpeed) * (1 - kDisturbed * std::min(1.0, hidden));
+        std::min(1.0, static_cast<double>(speed_) / kFullSpeed) * (1 - kDisturbed * static_cast<double>(hidden));
     for (std::size_t k = 0; k < kSensings; ++k) evidence_[k] += weight * static_cast<double>(kinds_[k].evidence());
     const double best = *std::max_element(evidence_.begin(), evidence_.end());
     for (double& evidence : evidence_) evidence = std::max(-kDecided, evidence - best);
@@ -224,7 +229,11 @@ class StoryTracker {
       for (int n = 0; n < 4; ++n) out.tool[n] += w * story.star.mean()[kTool + n];
       if (!kind.holds(i)) return;
       held += w;
-      const InertialGaussian<Scalar> payload = kind.payload(i);
+      InertialGaussian<Scalar> payload = kind.payload(i);
+      const auto spread = static_cast<Scalar>(kind.model().kind().spread);
+      const auto gain = static_cast<Scalar>(kind.model().kind().gain);
+      payload.covariance *= spread * spread;
+      detail::add_outer(payload.covariance, detail::scaled(gain * gain, payload.mean), payload.mean);
       const InertialVector<Scalar> d = detail::difference(payload.mean, near);
       detail::add_scaled(mean, w, d);
       detail::add_scaled(square, w, payload.covariance);
@@ -242,6 +251,10 @@ class StoryTracker {
       add_model_error(share, out.payload.covariance);
     }
     out.payload = within_rated(out.payload, rated_);
+    for (int i = 0; i < kInertial; ++i) {  // rounding must not leave a variance below zero
+      Scalar& variance = out.payload.covariance(i, i);
+      variance = std::max(variance, Scalar(0));
+    }
     if (!detail::finite(out.payload.mean) || !detail::finite(out.payload.covariance)) out.payload = belief_.payload;
     belief_ = out;
   }
@@ -265,8 +278,9 @@ class StoryTracker {
   Scalar rated_;
   FrictionRegime<Scalar, Dofs> regime_;
   std::array<Histories<Scalar, Dofs>, kSensings> kinds_;
-  std::array<double, kSensings> evidence_{};  // log probability, up to a constant [nats]
-  std::size_t kind_ = 0;                      // whose stories are computed next
+  typename Histories<Scalar, Dofs>::Children children_;  // of the kind whose turn it is
+  std::array<double, kSensings> evidence_{};             // log probability, up to a constant [nats]
+  std::size_t kind_ = 0;                                 // whose stories are computed next
   bool busy_ = false;
   Scalar duration_ = Scalar(0), speed_ = Scalar(0);
   StoryBelief<Scalar> belief_;

@@ -86,47 +86,35 @@ class RandomBlocks {
 template <int Dofs, int Capacity, typename See>
 void run_both(const rme::SensingKind& kind, RandomBlocks<Dofs> random, int blocks, const See& see) {
   const auto histories = std::make_unique<rme::Histories<double, Dofs, Capacity>>(fresh<Dofs, Capacity>(kind));
-  EnumeratedStories<Dofs> enumerated(fresh<Dofs, 10>(kind), rme::PayloadPrior<double>::of(kRated), kRated, true);
+  const auto children = std::make_unique<rme::StoryChildren<double, Dofs, Capacity>>();
+  EnumeratedStories<Dofs> enumerated(fresh<Dofs, 7>(kind), rme::PayloadPrior<double>::of(kRated), kRated, true);
   rme::FrictionRegime<double, Dofs> regime;
   for (int k = 0; k < blocks; ++k) {
     const auto block = random.next();
     regime.update(block);
-    histories->begin(block, regime, {});
+    histories->begin(block, regime, {}, *children);
     enumerated.advance(histories->model());
-    while (!histories->advance()) {
+    while (!histories->advance(*children)) {
     }
     see(*histories, enumerated);
   }
 }
 
-/// Numbers payloads as EnumeratedStories does: the one that a change from payload n ends in is n + 1.
-struct Names {
-  std::map<int, int> number = {{0, 0}};
-  template <typename Histories>
-  void see(const Histories& histories) {
-    for (int i = 0; i < histories.count(); ++i) {
-      const auto& s = histories.story(i);
-      if (s.mode == Mode::Changing) number.emplace(s.next, number.at(s.payload) + 1);
-      number.emplace(s.payload, 1);  // poured into an empty hand
-    }
-  }
-};
-
-using Key = std::array<int, 3>;  // mode, payload, kind of disturbance
+using Key = std::array<int, 3>;  // mode, payload, kind of disturbance or pour
 using Weights = std::map<Key, double>;
 template <int Dofs>
-Key key(const rme::Story<double, Dofs>& s, int payload, bool how) {
-  return {static_cast<int>(s.mode), payload, how && s.mode == Mode::Disturbed ? static_cast<int>(s.how) : 0};
+Key key(const rme::Story<double, Dofs>& s, bool how) {
+  const int kind = s.mode == Mode::Disturbed ? static_cast<int>(s.how) : s.mode == Mode::Pouring && s.quick ? 1 : 0;
+  return {static_cast<int>(s.mode), s.payload, how ? kind : 0};
 }
 template <typename Histories, typename Enumerated>
-std::pair<Weights, Weights> weights(const Histories& histories, const Enumerated& enumerated, Names& names, bool how) {
+std::pair<Weights, Weights> weights(const Histories& histories, const Enumerated& enumerated, bool how) {
   std::pair<Weights, Weights> out;
-  names.see(histories);
   for (int i = 0; i < histories.count(); ++i) {
     const auto& s = histories.story(i);
-    out.first[key(s, names.number.at(s.payload), how)] += histories.weight(i);
+    out.first[key(s, how)] += histories.weight(i);
   }
-  for (const auto& s : enumerated.stories) out.second[key(s, s.payload, how)] += std::exp(s.log_weight);
+  for (const auto& s : enumerated.stories) out.second[key(s, how)] += std::exp(s.log_weight);
   return out;
 }
 
@@ -140,12 +128,11 @@ TEST_CASE("Histories: where nothing is pruned, the weights are those of all stor
     for (const Happens happens : {Happens::Nothing, Happens::Attach, Happens::Push, Happens::Removal}) {
       for (unsigned seed = 580; seed < 583; ++seed) {
         CAPTURE(static_cast<int>(sensing), static_cast<int>(happens), seed);
-        Names names;
         int blocks = 0;
         run_both<2, 60>(kind, RandomBlocks<2>(seed, happens, 3), 8, [&](const auto& histories, const auto& enumerated) {
           CAPTURE(++blocks);
           CHECK(histories.count() == static_cast<int>(enumerated.stories.size()));
-          const auto [ours, theirs] = weights(histories, enumerated, names, true);
+          const auto [ours, theirs] = weights(histories, enumerated, true);
           CHECK(ours.size() == theirs.size());
           for (const auto& [what, weight] : theirs)
             CHECK(std::abs(ours.count(what) ? ours.at(what) - weight : 1) < 1e-9);
@@ -153,9 +140,7 @@ TEST_CASE("Histories: where nothing is pruned, the weights are those of all stor
           for (const auto& s : enumerated.stories)
             for (int i = 0; i < histories.count(); ++i) {
               const auto& other = histories.story(i);
-              if (histories.weight(i) < 1e-6 || names.number.at(other.payload) != s.payload || other.mode != s.mode ||
-                  (s.mode == Mode::Disturbed && other.how != s.how))
-                continue;
+              if (histories.weight(i) < 1e-6 || !other.same(s)) continue;
               worst = std::max(worst, (other.star.mean() - s.star.mean()).norm());
             }
           CHECK(worst < 1e-9);
@@ -173,11 +158,10 @@ struct Variation {
 };
 template <int Capacity>
 Variation variation(const rme::SensingKind& kind, unsigned seed, Happens happens, int when, int blocks) {
-  Names names;
   Variation out;
   run_both<7, Capacity>(kind, RandomBlocks<7>(seed, happens, when), blocks,
                         [&](const auto& histories, const auto& enumerated) {
-                          auto [ours, theirs] = weights(histories, enumerated, names, false);
+                          auto [ours, theirs] = weights(histories, enumerated, false);
                           double sum = 0;
                           for (const auto& [what, weight] : theirs) sum += std::abs(ours[what] - weight);
                           for (const auto& [what, weight] : ours) sum += theirs.count(what) > 0 ? 0 : weight;
@@ -192,7 +176,7 @@ template <typename Report>
 void vary(Sensing sensing, Happens happens, int runs, const Report& report) {
   std::vector<double> largest, last;
   for (int k = 1; k <= runs; ++k) {
-    const Variation v = variation<10>(rme::kind_of(sensing), static_cast<unsigned>(k), happens, 5, 12);
+    const Variation v = variation<7>(rme::kind_of(sensing), static_cast<unsigned>(k), happens, 5, 12);
     largest.push_back(v.largest);
     last.push_back(v.last);
   }
@@ -208,7 +192,8 @@ TEST_CASE("Histories: what is given up or left out is hardly missed", "[historie
       vary(sensing, happens, 40, [&](const auto& largest, const auto& last) {
         CAPTURE(static_cast<int>(sensing), static_cast<int>(happens), largest, last);
         if (happens != Happens::Attach) {
-          CHECK(largest[39] < 1e-3);
+          // Where friction hides a slow take-up, the pours that are given up while nothing happens weigh more.
+          CHECK(largest[39] < (sensing == Sensing::JointFriction ? 1e-2 : 1e-3));
         } else if (sensing != Sensing::RoughModel) {
           CHECK(last[20] < 1e-3);
           CHECK(last[32] < 0.01);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -16,6 +17,7 @@ using rme::kArmShared;
 using rme::kInertial;
 using rme::kJointNuisances;
 using rme::kPayload;
+using rme::kPoured;
 using rme::kShared;
 using rme::kTool;
 constexpr int kJoints = 3;
@@ -37,11 +39,15 @@ rme::JointObservation<double> random_observation(std::mt19937& random) {
           noise};
 }
 
-/// Any star with a payload: everything that may be correlated is.
+/// Any star with a payload, of which some has been poured: everything that may be correlated is.
 Star random_star(std::mt19937& random) {
   Star star;
   star.set_arm(Arm::Constant(0.5) + Arm(random_vector(random, kArmShared).cwiseAbs2()));
   star.draw_payload(random_vector(random, kInertial), oracle::random_matrix(random, kInertial, kInertial));
+  star.begin_pour();
+  Star::Cross none = Star::Cross::Zero();
+  star.pour(1, random_vector(random, 4), none, oracle::square(oracle::random_matrix(random, 4, 4)),
+            oracle::square(oracle::random_matrix(random, 4, 4)));
   for (int j = 0; j < kJoints; ++j) {
     star.joint(j).mean = random_vector(random, kJointNuisances);
     star.joint(j).slope = oracle::random_matrix(random, kShared, kJointNuisances);
@@ -113,13 +119,13 @@ TEST_CASE("StarGaussian: three hundred updates give what one dense batch solutio
     const Arm arm = Arm::Constant(0.1) + Arm(random_vector(random, kArmShared).cwiseAbs2());
     Vector x0 = Vector::Zero(kShared);
     Matrix P0 = Matrix::Zero(kShared, kShared);
-    x0.tail(kInertial) = random_vector(random, kInertial);
+    x0.segment(kPayload, kInertial) = random_vector(random, kInertial);
     const Matrix L = oracle::random_matrix(random, kInertial, kInertial);
     P0.diagonal().head(kArmShared) = arm;
-    P0.bottomRightCorner(kInertial, kInertial) = oracle::square(L);
+    P0.block(kPayload, kPayload, kInertial, kInertial) = oracle::square(L);
     Star star;
     star.set_arm(arm);
-    star.draw_payload(x0.tail(kInertial), L);
+    star.draw_payload(x0.segment(kPayload, kInertial), L);
     std::vector<Matrix> V0;
     std::vector<Vector> b0;
     for (int j = 0; j < kJoints; ++j) {
@@ -217,7 +223,14 @@ TEST_CASE("StarGaussian: predict says what the dense Gaussian says of an observa
     const auto own = covariance.block<kJointNuisances, kJointNuisances>(first(j), first(j));
     CHECK((star.nuisance_covariance(j) - own).norm() < 1e-11 * covariance.norm());
     CHECK(star.empty() == (k % 2 == 1));
-    CHECK(star.mass() == mean[kPayload]);
+    CHECK(star.mass() == mean[kPayload] + mean[kPoured]);
+    Matrix sum = Matrix::Zero(kInertial, kAll);
+    for (int i = 0; i < kInertial; ++i) sum(i, kPayload + i) = 1;
+    for (int i = 0; i < 4; ++i) sum(i, kPoured + i) = 1;
+    const Matrix payload = oracle::congruence(sum, covariance);
+    CHECK((star.payload_mean() - oracle::product(sum, mean)).norm() < 1e-12);
+    CHECK((star.payload_covariance() - payload).norm() < 1e-12 * covariance.norm());
+    CHECK(star.mass_variance() == Approx(payload(0, 0)).epsilon(1e-12));
     for (int i = 0; i < kShared; ++i) CHECK(star.variance(i) == Approx(covariance(i, i)).epsilon(1e-12));
   }
 }
@@ -249,7 +262,7 @@ TEST_CASE("StarGaussian: given x, a joint's nuisances learn from a torque what t
                      oracle::product(gain.leftCols(kShared), Vector(before.mean.head(kShared)));
     const auto& joint = star.joint(j);
     CHECK((joint.slope.transpose() - gain.leftCols(kShared)).norm() < 1e-9 * gain.norm());
-    CHECK((joint.mean - b).norm() < 1e-9 * b.norm());
+    CHECK((joint.mean - b).norm() < 1e-9 * gain.norm());
     const Matrix V = beta.middleCols(first(j), kJointNuisances) - oracle::product(gain, oracle::transposed(cross));
     CHECK((joint.covariance - V).norm() < 1e-9 * V.norm());
     // x keeps its distribution, and the other joints theirs.
@@ -288,28 +301,56 @@ TEST_CASE("StarGaussian: what changes the payload, the tool or the rate keeps th
     CHECK_FALSE(changed.empty());
     // It is the tool's from now on.
     Matrix T = Matrix::Identity(kAll, kAll);
-    for (int i = 0; i < 4; ++i) T(kTool + i, kPayload + i) = 1;
+    for (int i = 0; i < 4; ++i) T(kTool + i, kPayload + i) = T(kTool + i, kPoured + i) = 1;
     changed = star;
     changed.payload_is_tool();
     CHECK(difference(dense(changed), mapped(oracle::product(emptying(), T), before)) < 1e-9);
     CHECK(changed.empty());
     changed.payload_is_tool();  // there is none any more
     CHECK(difference(dense(changed), mapped(oracle::product(emptying(), T), before)) < 1e-9);
-    // The tool is less certain.
-    const rme::Vector4<double> wider = random_vector(random, 4).cwiseAbs2();
+    // Nothing more is poured in.
+    Matrix settled = Matrix::Identity(kAll, kAll);
+    for (int i = 0; i < 4; ++i) {
+      settled(kPayload + i, kPoured + i) = 1;
+      settled(kPoured + i, kPoured + i) = 0;
+    }
+    changed = star;
+    changed.end_pour();
+    CHECK(difference(dense(changed), mapped(settled, before)) < 1e-9);
+    const Dense ended = dense(changed);
+    changed.end_pour();
+    CHECK(difference(dense(changed), ended) == 0);
+    // The arm is less certain.
+    const Arm wider = random_vector(random, kArmShared).cwiseAbs2();
     for (const bool held : {true, false}) {
       expected = held ? before : empty;
-      expected.covariance.diagonal().segment<4>(kTool) += wider;
+      expected.covariance.diagonal().head<kArmShared>() += wider;
       changed = star;
       if (!held) changed.forget_payload();
-      changed.widen_tool(wider);
+      changed.widen_arm(wider);
       CHECK(difference(dense(changed), expected) < 1e-9);
       CHECK(changed.empty() == !held);
     }
+    // Something may be in the hand that the nuisances have taken for their own.
+    rme::InertialVector<double> along = random_vector(random, kInertial);
+    along[0] = 0.5 + std::abs(along[0]);
+    std::array<Star::Beta, kJoints> shift;
+    Vector column = Vector::Zero(kAll);
+    column.segment(kPayload, kInertial) = along;
+    for (int j = 0; j < kJoints; ++j) {
+      shift[static_cast<std::size_t>(j)] = random_vector(random, kJointNuisances);
+      column.segment(first(j), kJointNuisances) = shift[static_cast<std::size_t>(j)];
+    }
+    expected = empty;
+    expected.covariance += column * column.transpose();
+    changed = star;
+    changed.forget_payload();
+    changed.suppose_payload(along, shift);
+    CHECK(difference(dense(changed), expected) < 1e-9);
   }
 }
 
-TEST_CASE("StarGaussian: a payload that drifts at a rate takes along what is known of both", "[star]") {
+TEST_CASE("StarGaussian: what is poured at a rate takes along what is known of both", "[star]") {
   // (x, beta, r): beta depends on r through x alone, so cov(beta_j, r) = B_j cov(x, r).
   const unsigned seed = 514;
   CAPTURE(seed);
@@ -319,13 +360,14 @@ TEST_CASE("StarGaussian: a payload that drifts at a rate takes along what is kno
     CAPTURE(k);
     Star star = random_star(random);
     if (k % 4 == 3) star.forget_payload();
+    star.begin_pour();
     const Dense before = dense(star);
     const Matrix W = 0.1 * oracle::random_matrix(random, 4, kShared), N = oracle::random_matrix(random, 4, 4);
     const Star::Cross cross = oracle::product(Matrix(star.covariance()), oracle::transposed(W));
     const rme::Matrix4<double> V = oracle::congruence(W, Matrix(star.covariance())) + oracle::square(N);
     const rme::Vector4<double> rate = random_vector(random, 4);
     // Noise of full rank, or in one direction alone.
-    const Matrix L = oracle::random_matrix(random, kInertial, k % 2 == 0 ? kInertial : 1);
+    const Matrix L = oracle::random_matrix(random, 4, k % 2 == 0 ? 4 : 1);
     Matrix all = Matrix::Zero(kAll + 4, kAll + 4), T = Matrix::Identity(kAll + 4, kAll + 4);
     all.topLeftCorner(kAll, kAll) = before.covariance;
     all.bottomRightCorner(4, 4) = V;
@@ -334,19 +376,19 @@ TEST_CASE("StarGaussian: a payload that drifts at a rate takes along what is kno
       all.block(first(j), kAll, kJointNuisances, 4) =
           oracle::product(oracle::transposed(star.joint(j).slope), Matrix(cross));
     all.bottomLeftCorner(4, kAll) = all.topRightCorner(kAll, 4).transpose();
-    T.block<4, 4>(kPayload, kAll) = dt * rme::Matrix4<double>::Identity();
+    T.block<4, 4>(kPoured, kAll) = dt * rme::Matrix4<double>::Identity();
     all = oracle::congruence(T, all);
-    all.block(kPayload, kPayload, kInertial, kInertial) += oracle::square(L);
+    all.block<4, 4>(kPoured, kPoured) += oracle::square(L);
     Dense expected{before.mean, all.topLeftCorner(kAll, kAll)};
-    expected.mean.segment<4>(kPayload) += dt * rate;
+    expected.mean.segment<4>(kPoured) += dt * rate;
     Star::Cross after = cross;
-    star.drift(dt, rate, after, V, oracle::square(L));
+    star.pour(dt, rate, after, V, oracle::square(L));
     CHECK(difference(dense(star), expected) < 1e-9);
     CHECK((after - all.block(0, kAll, kShared, 4)).norm() < 1e-12 * all.norm());
     // Of noise that is no number nothing is taken.
     const Dense now = dense(star);
     const Star::Cross kept = after;
-    star.drift(dt, rate, after, V, rme::InertialMatrix<double>::Constant(std::nan("")));
+    star.pour(dt, rate, after, V, rme::Matrix4<double>::Constant(std::nan("")));
     CHECK(difference(dense(star), now) == 0);
     CHECK(after == kept);
   }

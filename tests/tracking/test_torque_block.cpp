@@ -59,7 +59,7 @@ bool always(int) {
 TEST_CASE("BlockContext: by default nothing is known of the block, and every kind of sensing is likely", "[block]") {
   const rme::BlockContext<double, kDofs> context;
   CHECK_FALSE(context.exchange_likely);
-  CHECK(context.kind_likely);
+  CHECK(context.log_share == 0);
   CHECK_FALSE(context.friction_shows);
   CHECK(context.compensation_change.isZero(0));
 }

@@ -112,7 +112,7 @@ class Disturbance {
  private:
   // The error of the wrench is the same in the blocks of about a quarter of a second. The nuisances take it for new in
   // each, so it counts this many times.
-  static constexpr double kCommon = 12;
+  static constexpr double kCommon = 200;
   static constexpr double kForce = 4;           // standard deviation of a new wrench's force per rated payload [N/kg]
   static constexpr double kMoment = 0.5;        // the same of its moment [N m/kg]
   static constexpr double kTremble = 0.1;       // change of the wrench within kTrembleTime, as a share of a new one

@@ -18,6 +18,27 @@
 
 namespace rme {
 
+/// The children that stories have in a block, and those that are being computed. Several Histories may use the same, one
+/// after the other.
+template <typename Scalar, int Dofs, int Capacity>
+class StoryChildren {
+ public:
+  /// @param i  0 to Capacity - 1: kept so far; then three that are being computed
+  Story<Scalar, Dofs>& child(int i) noexcept { return slots_[at(slot_[at(i)])]; }
+  const Story<Scalar, Dofs>& child(int i) const noexcept { return slots_[at(slot_[at(i)])]; }  ///< the same
+  void exchange(int i, int j) noexcept { std::swap(slot_[at(i)], slot_[at(j)]); }              ///< children i and j
+
+  StoryChildren() noexcept {
+    for (int i = 0; i < kSlots; ++i) slot_[at(i)] = i;
+  }
+
+ private:
+  static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
+  static constexpr int kSlots = Capacity + 3;
+  std::array<Story<Scalar, Dofs>, at(kSlots)> slots_;
+  std::array<int, at(kSlots)> slot_{};
+};
+
 /// Weighted stories (docs/theory.md, "Stories"). After each block each story has children: it goes on, or something
 /// begins, or something ends. The weight of a child is its parent's weight, times the probability of the transition,
 /// times the likelihood of the block. The heaviest stories live on; those that say the same but for when it began are
@@ -25,12 +46,13 @@ namespace rme {
 ///
 /// For each block, call begin(), then advance() until it returns true. Results change only then. Real time: no call
 /// allocates; each advance() computes one child, some 10,000 multiplications for seven joints.
-template <typename Scalar, int Dofs, int Capacity = 10>
+template <typename Scalar, int Dofs, int Capacity = 7>
 class Histories {
  public:
-  using Star = StarGaussian<Scalar, Dofs>;   ///< state of a filter
-  using Tale = Story<Scalar, Dofs>;          ///< a story
-  using Torque = JointVector<Scalar, Dofs>;  ///< one number per joint
+  using Star = StarGaussian<Scalar, Dofs>;                 ///< state of a filter
+  using Tale = Story<Scalar, Dofs>;                        ///< a story
+  using Children = StoryChildren<Scalar, Dofs, Capacity>;  ///< of a block
+  using Torque = JointVector<Scalar, Dofs>;                ///< one number per joint
 
   /// At first the hand is empty, or something is already held. Parameters as in Tracker; `kind` is the row of the
   /// kind assumed.
@@ -42,14 +64,12 @@ class Histories {
         payload_(payload),
         rated_(rated_payload) {
     using std::log;
-    for (int i = 0; i < 2 * Capacity + kScratch; ++i) slot_[at(i)] = i;
     Tale& empty = told(0);
     empty.star = model_.prior();
     empty.log_weight = log(Scalar(1) - Scalar(kHeldAtStart));
     told(1) = empty;
     Tale& holds = told(1);
     holds.mode = Mode::Changing;
-    holds.next = ++payloads_;
     holds.log_weight = log(Scalar(kHeldAtStart));
     count_ = 2;
   }
@@ -58,11 +78,13 @@ class Histories {
   /// @param block    the next block
   /// @param regime   which joints rest in it
   /// @param context  what else is known of it
+  /// @param children  where the block's children are kept until it ends; nobody else may use it until then
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
-             const BlockContext<Scalar, Dofs>& context) noexcept {
+             const BlockContext<Scalar, Dofs>& context, Children& children) noexcept {
+    work_ = &children;
     model_.begin(block, regime, context);
     exchange_likely_ = context.exchange_likely;
-    kind_likely_ = context.kind_likely;
+    share_ = context.log_share;
     heaviest_ = Scalar(-1e30);
     for (int i = 0; i < count_; ++i) heaviest_ = std::max(heaviest_, told(i).log_weight);
     settled_ = -1;
@@ -78,8 +100,10 @@ class Histories {
     enter(Phase::Settled);
   }
   /// Computes the next child of the block, or ends the block.
+  /// @param children  as in begin()
   /// @return whether the block is finished
-  bool advance() noexcept {
+  bool advance(Children& children) noexcept {
+    work_ = &children;
     if (done_ < planned_) {
       compute(plans_[at(done_++)]);
       return false;
@@ -125,6 +149,13 @@ class Histories {
   Scalar innovation_squared() const noexcept { return innovation_squared_; }
   const JointTorqueModel<Scalar, Dofs>& model() const noexcept { return model_; }  ///< of the arm
 
+  /// Probability that something is poured, or that something else acts on the arm.
+  Scalar disturbed() const noexcept {
+    Scalar sum = Scalar(0);
+    for (int i = 0; i < count_; ++i)
+      if (told(i).mode == Mode::Disturbed || told(i).mode == Mode::Pouring) sum += weight(i);
+    return std::min(Scalar(1), sum);
+  }
   /// The host says that the hand is empty: that becomes a story of the given probability.
   void believe_empty(Scalar probability) noexcept {
     Tale story = told(0);
@@ -136,14 +167,15 @@ class Histories {
                     Scalar probability) noexcept {
     Tale story = told(0);
     story.star.draw_payload(mean, factor);
-    add(story, Mode::Held, ++payloads_, probability);
+    const int payload = story.take_next();
+    add(story, Mode::Held, payload, probability);
   }
   /// The host says that what is held belongs to the tool: the hand is empty in every story.
-  /// @param variance  added to the tool's (m, m r)
-  void tare(const Vector4<Scalar>& variance) noexcept {
+  /// @param variance  added to that of what belongs to the arm, in the order of Shared
+  void tare(const Eigen::Matrix<Scalar, kArmShared, 1>& variance) noexcept {
     Tale story = told(0);
     story.star.payload_is_tool();
-    story.star.widen_tool(variance);
+    story.star.widen_arm(variance);
     count_ = 0;  // a story in which it is still held, known well, would win against a tool that is known less well
     add(story, Mode::Empty, 0, Scalar(1));
   }
@@ -158,7 +190,7 @@ class Histories {
     int parent;
     Mode mode;
     Disturbing how;
-    bool anew;
+    bool anew, quick, late;
     Scalar log_transition;
   };
   /// The children of a block are computed in this order.
@@ -168,7 +200,8 @@ class Histories {
     GoesOn,   ///< the other stories go on; if the first was shaken, all are: no other takes in such a block
     Begins,   ///< something begins or ends
   };
-  static constexpr double kShallow = 5;         // [nats]
+  static constexpr double kUnlikely = -11;      // log probability of a kind below which less is computed for it
+  static constexpr double kShallow = 2;         // [nats]
   static constexpr double kSurprise = 2;        // innovation squared per joint from which a block is explained badly
   static constexpr double kHeldAtStart = 0.03;  // probability that something is held at the start
 
@@ -179,22 +212,28 @@ class Histories {
   // What ends: a pour; a change, in a new payload or an empty hand; a disturbance; a jolt.
   static constexpr double kPourEnds = 4e-3, kSettles = 0.25, kEmpties = 0.1, kDisturbEnds = 0.02, kJoltEnds = 0.25;
   static constexpr double kTouchEnds = 0.01;  // a wrench that stays or grows along itself ends
+  static constexpr double kQuickEnds = 0.03;  // what is taken up is taken up
   static constexpr double kOther = 0.02;      // a wrench changes in another way from now on
   static constexpr double kTurnsOut = 0.01;   // a disturbance turns out to be a change
   static constexpr double kJolt = 3;          // torque of a jolt, times the joint's scale [N m]
-                                              /// @endcond
+  // An observer of 50 rad/s that is in truth half or twice as fast has a lag of 20 or -10 ms.
+  static constexpr double kLate = 0.015,
+                          kIsLate = 0.01;  // its standard deviation [s]; how often it shows that it is wrong
+                                           /// @endcond
 
  private:
   static constexpr double kLightest = 0.007, kHeaviest = 1.2;  // times the rated payload: 20 g and 3.6 kg on a Panda
   static constexpr double kFall = 80;           // no child falls behind by more than this in a block [nats]
   static constexpr int kEvery = 5, kOften = 5;  // a pour begins, and ends, in each of this many blocks
-  static constexpr double kPourDepth = 10;      // log odds at which a pour is given up while nothing happens [nats]
+  static constexpr double kPourDepth = 7;       // log odds at which a pour is given up while nothing happens [nats]
   static constexpr int kPlans = 8 * Capacity;
 
   static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
 
-  /// Log odds at which a story is given up: early if the arm is unlikely to have this kind of torque sensing.
-  Scalar depth() const noexcept { return static_cast<Scalar>(kind_likely_ ? model_.kind().depth : kShallow); }
+  /// Log odds at which a story is given up, over all kinds: early if the arm is unlikely to have this one.
+  Scalar depth() const noexcept {
+    return std::max(Scalar(kShallow), static_cast<Scalar>(model_.kind().depth) + share_);
+  }
   /// Begins a phase of the block: plans its children.
   void enter(Phase phase) noexcept {
     phase_ = phase;
@@ -228,6 +267,8 @@ class Histories {
       case Mode::Held: {
         const double pours = (p.mode == Mode::Empty ? kFills : kPours) * kind.slowly;
         plan(i, p.mode, 1 - 1.3 * change - kDisturbs - jolts - pours);
+        if (p.mode == Mode::Empty && kind.takes_up > 0)
+          plan(i, Mode::Pouring, kind.takes_up, Disturbing::Hand, false, true);
         if (explained_) {
           if (begins) plan(i, Mode::Pouring, pours * kEvery);
           break;
@@ -239,9 +280,10 @@ class Histories {
         break;
       }
       case Mode::Pouring:
-        plan(i, Mode::Pouring, 1 - kPourEnds - change - kDisturbs - jolts);
-        if (explained_ && !slow) break;
-        plan(i, Mode::Held, explained_ ? kPourEnds * kOften : kPourEnds);
+        plan(i, Mode::Pouring, 1 - (p.quick ? kQuickEnds : kPourEnds) - change - kDisturbs - jolts, Disturbing::Hand,
+             false, p.quick);
+        if (explained_ && !slow && !p.quick) break;
+        plan(i, Mode::Held, p.quick ? kQuickEnds : explained_ ? kPourEnds * kOften : kPourEnds);
         if (explained_) break;
         plan(i, Mode::Changing, change);
         disturb(i, jolts);
@@ -250,6 +292,8 @@ class Histories {
         plan(i, Mode::Changing, 1 - kSettles - kEmpties - kTurnsOut);
         plan(i, Mode::Disturbed, kTurnsOut);
         plan(i, Mode::Held, kSettles, Disturbing::Hand, true);
+        if (kind.lag > 0 && p.star.variance(kLag) < Scalar(kLate * kLate))
+          plan(i, Mode::Held, kSettles * kIsLate, Disturbing::Hand, true, false, true);
         if (p.payload != 0) plan(i, Mode::Empty, kEmpties);
         break;
       case Mode::Disturbed: {
@@ -270,10 +314,12 @@ class Histories {
     plan(i, Mode::Disturbed, kDisturbs);
     plan(i, Mode::Disturbed, jolts, Disturbing::Jolt);
   }
-  void plan(int i, Mode mode, double transition, Disturbing how = Disturbing::Hand, bool anew = false) noexcept {
+  void plan(int i, Mode mode, double transition, Disturbing how = Disturbing::Hand, bool anew = false,
+            bool quick = false, bool late = false) noexcept {
     using std::log;
     const Tale& p = told(i);
-    const bool goes_on = mode == p.mode && (mode != Mode::Disturbed || how == p.how) && !anew;
+    const bool goes_on = mode == p.mode && (mode != Mode::Disturbed || how == p.how) && !anew &&
+                         (mode != Mode::Pouring || quick == p.quick);
     const bool jolt = mode == Mode::Disturbed && how == Disturbing::Jolt;
     if (!due(i, goes_on, jolt) || planned_ == kPlans) return;
     const bool exchange = mode == Mode::Changing || anew;
@@ -281,7 +327,7 @@ class Histories {
     if (exchange_likely_ && p.settled())
       log_transition = exchange ? log(Scalar(0.25)) : log_transition + log(Scalar(0.5));
     if (p.log_weight + log_transition < heaviest_ - depth()) return;
-    plans_[at(planned_++)] = {i, mode, how, anew, log_transition};
+    plans_[at(planned_++)] = {i, mode, how, anew, quick, late, log_transition};
   }
 
   /// Whether one story in which nothing happens explains the block.
@@ -294,25 +340,18 @@ class Histories {
       sum += exp(next(i).log_weight - best_child_);
       if (next(i).log_weight > next(best).log_weight) best = i;
     }
-    const Scalar quiet = static_cast<Scalar>(kind_likely_ ? model_.kind().quiet : 1.5);
+    const Scalar quiet = static_cast<Scalar>(share_ > Scalar(kUnlikely) ? model_.kind().quiet : 1.5);
     return exp(next(best).log_weight - best_child_) > Scalar(0.9) * sum && next(best).settled() &&
            squared_[at(best)] < quiet;
   }
 
   static InertialGaussian<Scalar> payload_in(const Star& star) noexcept {
-    InertialGaussian<Scalar> out;
-    const SharedMatrix<Scalar> P = star.covariance();
-    for (int i = 0; i < kInertial; ++i) {
-      out.mean[i] = star.mean()[kPayload + i];
-      for (int k = 0; k < kInertial; ++k) out.covariance(i, k) = P(kPayload + i, kPayload + k);
-    }
-    return out;
+    return {star.payload_mean(), star.payload_covariance()};
   }
-  // Stories are moved by exchanging the numbers of their slots: first the stories, then the children, then kScratch more.
-  Tale& told(int i) noexcept { return slots_[at(slot_[at(i)])]; }
-  const Tale& told(int i) const noexcept { return slots_[at(slot_[at(i)])]; }
-  Tale& next(int i) noexcept { return told(Capacity + i); }
-  const Tale& next(int i) const noexcept { return told(Capacity + i); }
+  Tale& told(int i) noexcept { return told_[at(i)]; }
+  const Tale& told(int i) const noexcept { return told_[at(i)]; }
+  Tale& next(int i) noexcept { return work_->child(i); }
+  const Tale& next(int i) const noexcept { return work_->child(i); }
 
   /// Computes a child, and keeps it if it is among the heaviest.
   void compute(const Plan& plan) noexcept {
@@ -323,9 +362,10 @@ class Histories {
     child = parent;
     child.mode = plan.mode;
     child.how = plan.how;
+    child.quick = plan.quick;
     Torque innovation, variance;
     Scalar squared = Scalar(0);
-    const Scalar log_likelihood = take_in(child, parent, plan.anew, innovation, variance, squared);
+    const Scalar log_likelihood = take_in(child, parent, plan, innovation, variance, squared);
     if (!std::isfinite(log_likelihood) || !child.star.finite()) return;
     child.log_weight += plan.log_transition + log_likelihood;
     if (children_ == 0) best_child_ = child.log_weight;
@@ -359,16 +399,17 @@ class Histories {
         if (next(i).log_weight < next(place).log_weight) place = i;
       if (next(place).log_weight > child.log_weight) return;
     }
-    std::swap(slot_[at(Capacity + place)], slot_[at(2 * Capacity)]);
+    work_->exchange(place, Capacity);
     squared_[at(place)] = squared / Scalar(Dofs);
   }
 
   /// Applies the block to a child that is still its parent's copy.
   /// @return log p(block | child)
-  Scalar take_in(Tale& child, const Tale& parent, bool anew, Torque& innovation, Torque& variance,
+  Scalar take_in(Tale& child, const Tale& parent, const Plan& plan, Torque& innovation, Torque& variance,
                  Scalar& squared) noexcept {
     const Scalar duration = model_.block().duration;
     model_.predict(child.star);
+    if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) child.star.end_pour();
     if (child.mode == Mode::Disturbed) {
       const bool jolt = child.how == Disturbing::Jolt;
       if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt || jolt)
@@ -378,7 +419,6 @@ class Histories {
       return child.disturbance.observe(model_, child.star, jolt ? Scalar(kJolt) : Scalar(0), squared);
     }
     if (child.mode == Mode::Changing) {
-      if (parent.mode != Mode::Changing) child.next = next_of(parent);
       if (model_.kind().draws) {
         Tale& drawn = next(Capacity + 2);
         drawn.star = child.star;
@@ -398,6 +438,7 @@ class Histories {
       return anything.observe(model_, star, Scalar(0), squared);
     }
     if (child.mode == Mode::Empty) {
+      if (parent.payload != 0) model_.unload(child.star, parent.star.payload_mean());
       child.star.forget_payload();
       child.payload = 0;
       child.log_plausible = Scalar(0);
@@ -406,12 +447,18 @@ class Histories {
     Scalar log_likelihood = Scalar(0);
     if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
-        child.pour.begin(child.star, payload_, rated_);
-        if (child.payload == 0) child.payload = next_of(parent);
+        if (child.quick) model_.suppose_hidden(child.star, payload_.com_mean);
+        child.pour.begin(child.star, payload_, rated_, child.quick);
+        if (child.payload == 0) child.payload = child.take_next();
       }
       child.pour.predict(child.star, duration, payload_, rated_);
-    } else if (anew) {
-      child.payload = parent.mode == Mode::Changing ? parent.next : next_of(parent);
+    } else if (plan.anew) {
+      if (plan.late) {
+        Eigen::Matrix<Scalar, kArmShared, 1> lag = Eigen::Matrix<Scalar, kArmShared, 1>::Zero();
+        lag[kLag] = Scalar(kLate * kLate);
+        child.star.widen_arm(lag);
+      }
+      child.payload = child.take_next();
       child.log_plausible = Scalar(0);
       draw(child, innovation, variance, squared);
     }
@@ -422,14 +469,6 @@ class Histories {
     child.log_plausible = plausible;
     return log_likelihood;
   }
-  /// The name of the payload that a story may hold next: the same in all blocks of one change.
-  int next_of(const Tale& parent) noexcept {
-    for (int i = 0; i < count_; ++i)
-      if (told(i).mode == Mode::Changing && told(i).payload == parent.payload) return told(i).next;
-    for (int i = 0; i < children_; ++i)
-      if (next(i).mode == Mode::Changing && next(i).payload == parent.payload) return next(i).next;
-    return ++payloads_;
-  }
   /// Draws a new payload. The prior of m r needs the mass, and the block itself shows the mass best. So the prior is for
   /// the mass that the block shows.
   void draw(Tale& child, Torque& innovation, Torque& variance, Scalar& squared) noexcept {
@@ -439,7 +478,7 @@ class Histories {
     first.mode = Mode::Held;
     (void)update(first, innovation, variance, squared);
     const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, first.star.mass()));
-    const Scalar square = mass * mass + first.star.variance(kPayload);
+    const Scalar square = mass * mass + first.star.mass_variance();
     child.star.draw_payload(payload_.mean(), payload_.factor(square));
   }
 
@@ -481,7 +520,7 @@ class Histories {
     using std::erfc;
     using std::log;
     using std::sqrt;
-    const Scalar deviation = sqrt(std::max(star.variance(kPayload), Scalar(1e-12)));
+    const Scalar deviation = sqrt(std::max(star.mass_variance(), Scalar(1e-12)));
     const auto below = [&](Scalar m) { return Scalar(0.5) * erfc((star.mass() - m) / (deviation * sqrt(Scalar(2)))); };
     return log(std::max(Scalar(1e-30), below(Scalar(kHeaviest) * rated_) - below(Scalar(lightest) * rated_)));
   }
@@ -505,7 +544,7 @@ class Histories {
     for (int i = 0; i < children_; ++i) {
       const Tale& child = next(order[at(i)]);
       if (child.log_weight < best - (explained_ && child.mode == Mode::Pouring ? Scalar(kPourDepth) : depth)) continue;
-      std::swap(slot_[at(count_)], slot_[at(Capacity + order[at(i)])]);
+      told(count_) = child;
       total += exp(told(count_).log_weight - best);
       ++count_;
     }
@@ -529,7 +568,7 @@ class Histories {
     story.log_plausible = Scalar(0);
     story.log_weight = log(probability);
     count_ = std::min(count_, Capacity - 1);
-    std::rotate(slot_.begin(), slot_.begin() + count_, slot_.begin() + count_ + 1);
+    for (int i = count_; i > 0; --i) told(i) = told(i - 1);
     told(0) = story;
     ++count_;
     for (int i = 1; i < count_; ++i) told(i).log_weight += log(Scalar(1) - probability);
@@ -538,20 +577,19 @@ class Histories {
   JointTorqueModel<Scalar, Dofs> model_;
   PayloadPrior<Scalar> payload_;
   Scalar rated_;
-  static constexpr int kScratch = 3;
-  std::array<Tale, at(2 * Capacity + kScratch)> slots_;
-  std::array<int, at(2 * Capacity + kScratch)> slot_{};
+  std::array<Tale, at(Capacity)> told_;
+  Children* work_ = nullptr;        // of the present call
   InertialGaussian<Scalar> fresh_;  // a payload drawn from the last block alone, of the likeliest change
   Scalar fresh_weight_ = Scalar(0);
   int count_ = 0, children_ = 0;
   std::array<Plan, at(kPlans)> plans_;
   int planned_ = 0, done_ = 0;
-  int payloads_ = 0;          // names given so far
   int settled_ = -1;          // the likeliest story before the block in which a payload, or none, explains the torque
   int settled_payload_ = -1;  // what it holds, if it goes on in this block
   long blocks_ = 0;
   Phase phase_ = Phase::Begins;
-  bool explained_ = false, jolted_ = false, exchange_likely_ = false, kind_likely_ = true;
+  bool explained_ = false, jolted_ = false, exchange_likely_ = false;
+  Scalar share_ = Scalar(0);  // log probability of the kind
   Scalar goes_on_weight_ = Scalar(0), jolt_weight_ = Scalar(0);
   Scalar heaviest_ = Scalar(0), best_child_ = Scalar(0), evidence_ = Scalar(0), innovation_squared_ = Scalar(1);
   Scalar settled_squared_ = Scalar(0);  // of settled_'s story, if it goes on in this block

@@ -1,7 +1,9 @@
 #pragma once
 /// Model of a joint's torque: its nuisances, how they change from block to block, and its noise.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/friction_regime.hpp>
@@ -74,6 +76,44 @@ class JointTorqueModel {
   /// Time update: changes the nuisances from the last block to this one. To be called before the update with the
   /// block's torque.
   void predict(Star& star) const noexcept;
+  /// A payload that is taken up slowly is taken for friction and offset at first. Supposes that the empty hand of `star`
+  /// already holds as much as they can have hidden so far.
+  /// @param star  state, with an empty hand
+  /// @param com    where its centre of mass is expected [m], end-effector axes
+  void suppose_hidden(Star& star, const Vector3<Scalar>& com) const noexcept {
+    InertialVector<Scalar> along = InertialVector<Scalar>::Zero();
+    along[0] = 1;
+    for (int i = 0; i < 3; ++i) along[1 + i] = com[i];
+    std::array<typename Star::Beta, static_cast<std::size_t>(Dofs)> shift;
+    Scalar precision = Scalar(0);
+    for (int j = 0; j < Dofs; ++j) {
+      const JointObservation<Scalar> o = observation(j, Scalar(0));
+      Scalar torque = Scalar(0), able = Scalar(0);
+      for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * along[i];
+      auto& absorbed = shift[static_cast<std::size_t>(j)];
+      const auto V = star.nuisance_covariance(j);
+      for (int n = 0; n < kJointNuisances; ++n) {
+        absorbed[n] = V(n, n) * o.c[n];
+        able += absorbed[n] * o.c[n];
+      }
+      absorbed *= -torque / (able + o.noise);
+      precision += torque * torque / (able + o.noise);
+    }
+    const Scalar mass = Scalar(kHidden) / std::sqrt(std::max(precision, Scalar(1e-6)));
+    for (auto& s : shift) s *= mass;
+    star.suppose_payload(detail::scaled(mass, along), shift);
+  }
+  /// A payload has been removed. While it was held, an error of the torque's gain was taken for offset.
+  /// @param star  state
+  /// @param held  its phi
+  void unload(Star& star, const InertialVector<Scalar>& held) const noexcept {
+    for (int j = 0; j < Dofs; ++j) {
+      Scalar torque = Scalar(0);
+      for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * held[i];
+      const Scalar off = std::min(Scalar(kGain) * std::abs(torque), arm_.offset[j]);
+      star.joint(j).covariance(kOffset, kOffset) += off * off;
+    }
+  }
   /// The measurement of joint j in this block.
   /// @param j     0 .. Dofs - 1
   /// @param mass  mass of the payload [kg]; the noise of dq makes a noise of its inertia force
@@ -108,7 +148,9 @@ class JointTorqueModel {
 
  private:
   static constexpr double kStictionShare = 0.6;
-  static constexpr double kToolArm = 0.25;     // spread of the tool error's first moment, per kg of its mass [m]
+  static constexpr double kGain = 0.02;        // relative error of a torque sensor's gain
+  static constexpr double kHidden = 3;         // standard deviations of all joints together that may hide a payload
+  static constexpr double kToolArm = 0.1;      // spread of the tool error's first moment, per kg of its mass [m]
   static constexpr double kTiltSpread = 0.02;  // of gravity's direction [rad]
   static constexpr double kJump = 6.25;        // variance of a jump of the stiction, in stiction variances
 
@@ -214,7 +256,7 @@ void JointTorqueModel<Scalar, Dofs>::follow_torque(const TorqueBlock<Scalar, Dof
   using std::abs;
   using std::sqrt;
   constexpr double kMemory = 0.08;  // time constant of the average [s]
-  constexpr double kNoise = 1.5;    // standard deviations of a block's noise: nearly two of the difference's noise
+  constexpr double kNoise = 3;      // standard deviations of a block's noise
   if (!started_) recent_torque_ = block.tau;
   const Scalar keep = Scalar(kMemory) / (Scalar(kMemory) + block.duration);
   for (int j = 0; j < Dofs; ++j) {
@@ -295,7 +337,7 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
       V(kStiction, kStiction) = d * d * V(kCoulomb, kCoulomb) + off * off;
     } else if (regime_.rests(j)) {
       const Scalar change = regime_.arm_moves() || friction_shows_ ? torque_change_[j] : Scalar(0);
-      renew(star, j, kStiction, hold * exp(-change / (Scalar(4) * arm_.coulomb[j])), stiction_variance(star, j));
+      renew(star, j, kStiction, hold * exp(-change / arm_.coulomb[j]), stiction_variance(star, j));
     }
   }
 }
@@ -309,6 +351,7 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
   for (int i = 0; i < 4; ++i) o.h[kTool + i] = block_.regressor(j, i);
   for (int i = 0; i < 2; ++i) o.h[kTilt + i] = tilt_(j, i);
   for (int i = 0; i < kInertial; ++i) o.h[kPayload + i] = block_.regressor(j, i);
+  for (int i = 0; i < 4; ++i) o.h[kPoured + i] = block_.regressor(j, i);
   o.noise = noise_.variance(j) + timing_noise_[j] + mass * mass * inertia_noise_[j];
   const JointFriction<Scalar>& friction = regime_.joint(j);
   const Scalar v = block_.velocity[j], slow = static_cast<Scalar>(kind_.slow);

@@ -42,7 +42,7 @@ InertialGaussian<Scalar> within_rated(const InertialGaussian<Scalar>& free, Scal
     const Scalar inside = above(a) - above(b);
     if (inside > Scalar(1e-6)) {
       const Scalar shift = (density(a) - density(b)) / inside;
-      cut_mean = mass + deviation * shift;
+      cut_mean = std::max(Scalar(0), std::min(largest, mass + deviation * shift));  // rounding, if both are large
       cut_variance = variance * (1 + (a * density(a) - b * density(b)) / inside - shift * shift);
       cut_variance = std::max(cut_variance, Scalar(1e-4) * variance);
     } else {  // far outside: at the bound, with at least half of the distance as deviation
@@ -60,6 +60,8 @@ InertialGaussian<Scalar> within_rated(const InertialGaussian<Scalar>& free, Scal
   for (int i = 0; i < kInertial; ++i) slope[i] = free.covariance(i, 0) / variance;
   detail::add_scaled(cut.mean, cut_mean - mass, slope);
   detail::add_outer(cut.covariance, detail::scaled(cut_variance - variance, slope), slope);
+  cut.mean[0] = cut_mean;  // the sums above round, if the mass was far outside
+  cut.covariance(0, 0) = cut_variance;
   return cut;
 }
 

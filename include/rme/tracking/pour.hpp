@@ -17,7 +17,13 @@ class Pour {
   using Star = StarGaussian<Scalar, Dofs>;  ///< state of the filter
 
   /// A pour that nothing is known of.
-  void begin(const Star& star, const PayloadPrior<Scalar>& prior, Scalar rated_payload) noexcept {
+  /// @param star           state; from here on it has what is poured as unknowns of its own
+  /// @param prior          of what may be held
+  /// @param rated_payload  [kg]
+  /// @param quick          it is taken up within seconds: handed over, or lifted off a table
+  void begin(Star& star, const PayloadPrior<Scalar>& prior, Scalar rated_payload, bool quick) noexcept {
+    quick_ = quick;
+    star.begin_pour();
     rate_.setZero();
     cross_.setZero();
     covariance_ = stationary(star, prior, rated_payload);
@@ -30,17 +36,12 @@ class Pour {
   void predict(Star& star, Scalar duration, const PayloadPrior<Scalar>& prior, Scalar rated_payload) noexcept {
     using std::exp;
     const Matrix4<Scalar> noise = stationary(star, prior, rated_payload);
-    const Scalar keep = exp(-duration / Scalar(kRateTime));
+    const Scalar keep = exp(-duration / Scalar(quick_ ? kQuickTime : kRateTime));
     rate_ *= keep;
     cross_ *= keep;
     covariance_ *= keep * keep;
     detail::add_scaled(covariance_, Scalar(1) - keep * keep, noise);
-    InertialMatrix<Scalar> Q = InertialMatrix<Scalar>::Zero();
-    for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < 4; ++k) Q(i, k) = duration * Scalar(kFlowTime) * noise(i, k);
-    const Scalar inertia = Scalar(kRate) * rated_payload * duration * detail::dot(prior.com_mean, prior.com_mean);
-    for (int i = 4; i < kInertial; ++i) Q(i, i) = inertia * inertia;
-    star.drift(duration, rate_, cross_, covariance_, Q);
+    star.pour(duration, rate_, cross_, covariance_, detail::scaled(duration * Scalar(kFlowTime), noise));
   }
   /// Updates the rate with an observation; to be called before star.observe(j, p).
   void observe(const Star& star, const typename Star::Prediction& p) noexcept {
@@ -54,20 +55,21 @@ class Pour {
   Scalar rate() const noexcept { return rate_[0]; }  ///< of the mass [kg/s]
 
  private:
-  static constexpr double kRate = 0.03;      // standard deviation of the rate of mass per rated payload [1/s]
-  static constexpr double kRateTime = 3;     // correlation time of the rate [s]
+  static constexpr double kRate = 0.03;  // standard deviation of the rate of mass per rated payload [1/s]
+  static constexpr double kQuickRate = 0.12, kQuickTime = 0.5;  // the same of what is taken up quickly
+  static constexpr double kRateTime = 3;                        // correlation time of the rate [s]
   static constexpr double kFlowTime = 0.02;  // the flow's own noise: what flows at kRate in this time, each time [s]
   static constexpr double kSpread = 0.7;     // spread of what is poured about the payload's centre, in com_std
 
   /// Covariance of the rate before anything is known of it: along the payload's own (m, m r), and about it.
-  static Matrix4<Scalar> stationary(const Star& star, const PayloadPrior<Scalar>& prior, Scalar rated) noexcept {
-    const Scalar sigma = Scalar(kRate) * rated, held = star.mass();
+  Matrix4<Scalar> stationary(const Star& star, const PayloadPrior<Scalar>& prior, Scalar rated) const noexcept {
+    const Scalar sigma = sigma_of() * rated, held = star.mass();
+    const InertialVector<Scalar> phi = star.payload_mean();
     Vector4<Scalar> along;
     along[0] = sigma;
     for (int i = 0; i < 3; ++i) {
       const Scalar off = 3 * prior.com_std[i];
-      const Scalar com =
-          held > Scalar(kLightest) * rated ? star.mean()[kPayload + 1 + i] / held - prior.com_mean[i] : Scalar(0);
+      const Scalar com = held > Scalar(kLightest) * rated ? phi[1 + i] / held - prior.com_mean[i] : Scalar(0);
       along[1 + i] = sigma * (prior.com_mean[i] + std::max(-off, std::min(off, com)));
     }
     Matrix4<Scalar> out = Matrix4<Scalar>::Zero();
@@ -80,6 +82,8 @@ class Pour {
   }
   static constexpr double kLightest = 0.007;  // mass from which the payload's centre is known, per rated payload
 
+  Scalar sigma_of() const noexcept { return static_cast<Scalar>(quick_ ? kQuickRate : kRate); }
+  bool quick_ = false;
   Vector4<Scalar> rate_ = Vector4<Scalar>::Zero();
   Matrix4<Scalar> covariance_ = Matrix4<Scalar>::Zero();
   typename Star::Cross cross_ = Star::Cross::Zero();  // cov(x, rate)

@@ -38,9 +38,12 @@ struct SensingKind {
   double memory;            ///< factor per block of the average of innovations
   double settles;           ///< blocks of motion from which the residual is learned more slowly
   double change;            ///< probability per block that the payload changes
+  double takes_up;          ///< probability per block that an empty hand begins to take up something
   double jolt;              ///< probability per block that something shakes single joints
   double slowly;            ///< what begins softly, relative to an arm whose torque shows it: pours, contact
   double depth;             ///< log odds at which a story is given up [nats]
+  double spread;            ///< reported standard deviations, relative to the filters'
+  double gain;              ///< relative error of the torque: no payload is known better
   double quiet;             ///< innovation squared per joint below which a block is explained; 0: never
   bool draws;               ///< one block shows a new payload; otherwise a block of a change shows nothing
 };
@@ -48,11 +51,12 @@ struct SensingKind {
 /// The kinds, in the order of Sensing.
 inline constexpr std::array<SensingKind, kSensings> kSensingKinds = {{
     // evid fric lag   tool   res   least  largest way turn creep rest stic turn stop slow own com size memory settles change jolt depth quiet
-    {-8, 0, 0.0025, 0.01, 0.015, 0.005, 0.1, 0.7,  0,    0, 0,  0,   0,
-     0,  0, 4,      0,    0,     0.96,  100, 1e-3, 1e-3, 1, 15, 1.5, true},
-    {0, 1, 0, 0.01, 0.015, 0.005, 0.1, 0.7, 0, 0.05, 0, 0, 0, 0, 0, 4, 0, 0, 0.96, 100, 1e-3, 1e-3, 1, 15, 1.5, true},
-    {-40, 1,     0, 0.01, 0.3, 0.1, 4,   1.2,     1,    0.5,  0.5, 16, 6,
-     20,  0.003, 0, 1,    0.5, 0.9, 1e9, 1.25e-5, 1e-2, 0.01, 25,  0,  false},
+    {-8, 0, 0.0025, 0.01, 0.015, 0.005, 0.1, 0.7,  0, 0,  0, 0, 0,   0,   0,
+     4,  0, 0,      0.96, 100,   1e-3,  0,   1e-3, 1, 20, 1, 0, 1.5, true},
+    {0, 1, 0.0025, 0.01, 0.015, 0.005, 0.1,  0.7,  0, 0.05, 0, 0, 0,   0,   0,
+     4, 0, 0,      0.96, 100,   1e-3,  2e-4, 1e-3, 1, 20,   1, 0, 1.5, true},
+    {-40, 1, 0,   0.01, 0.3, 0.1,     4,      1.2,  1,    0.5, 0.5, 16,   6, 20,   0.003,
+     0,   1, 0.5, 0.9,  1e9, 1.25e-5, 2.5e-5, 1e-2, 0.01, 25,  1.5, 0.02, 0, false},
 }};
 
 /// The row of a kind.

@@ -10,15 +10,17 @@
 
 namespace rme {
 
-/// What all joints share, x: first what belongs to the arm, last the payload's phi. Each is the index of a first entry.
+/// What all joints share, x: first what belongs to the arm, then the payload. Each is the index of a first entry.
 enum Shared : int {
   kLag = 0,      ///< lag of the torque beyond the stated observer [s]
   kTool = 1,     ///< mass and first moment that the robot's own model lacks at the last link, 4 entries [kg, kg m]
   kTilt = 5,     ///< error of gravity's direction: rotation about two axes across gravity, 2 entries [rad]
-  kPayload = 7,  ///< phi of the payload, 10 entries
+  kPayload = 7,  ///< phi of the payload, 10 entries; if something is poured, phi before that
+  kPoured = 17,  ///< what has been poured in so far, (m, m r), 4 entries [kg, kg m]
 };
-inline constexpr int kArmShared = kPayload;             ///< number of shared unknowns of an empty hand
-inline constexpr int kShared = kArmShared + kInertial;  ///< number of shared unknowns
+inline constexpr int kArmShared = kPayload;  ///< number of shared unknowns of an empty hand
+inline constexpr int kHeldShared = kPoured;  ///< the same, if something is held
+inline constexpr int kShared = kPoured + 4;  ///< the same, if something is poured: all of them
 template <typename Scalar>
 using SharedVector = Eigen::Matrix<Scalar, kShared, 1>;  ///< x, in the order of Shared
 template <typename Scalar>
@@ -55,7 +57,7 @@ struct JointObservation {
 ///     x ~ N(mean, F F^T),   beta_j | x ~ N(b_j + B_j x, V_j)
 ///
 /// A joint's torque depends only on x and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
-/// cost of a dense covariance. forget_payload() and drift() would couple the joints. Each of them gives the nearest
+/// cost of a dense covariance. forget_payload(), pour() and end_pour() would couple the joints. Each of them gives the nearest
 /// star instead, which has the right mean and covariance of every pair (x, beta_j) (docs/theory.md, "The star").
 ///
 /// F is a square root of the covariance of x, and is updated as such (Potter's form: Maybeck, Stochastic Models,
@@ -65,11 +67,11 @@ struct JointObservation {
 template <typename Scalar, int Dofs>
 class StarGaussian {
  public:
-  using X = SharedVector<Scalar>;                                 ///< 17x1
-  using XMatrix = SharedMatrix<Scalar>;                           ///< 17x17
+  using X = SharedVector<Scalar>;                                 ///< 21x1
+  using XMatrix = SharedMatrix<Scalar>;                           ///< 21x17
   using Beta = JointNuisanceVector<Scalar>;                       ///< 5x1
   using BetaMatrix = JointNuisanceMatrix<Scalar>;                 ///< 5x5
-  using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 17x5
+  using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 21x5
   using Cross = Eigen::Matrix<Scalar, kShared, 4>;                ///< covariance of x and four other unknowns
   /// Gaussian of beta_j given x.
   struct Joint {
@@ -81,7 +83,30 @@ class StarGaussian {
   bool empty() const noexcept { return size_ == kArmShared; }  ///< whether the hand is empty for certain
   const X& mean() const noexcept { return mean_; }             ///< of x
   XMatrix covariance() const noexcept { return detail::outer_square(factor_); }  ///< of x, F F^T
-  Scalar mass() const noexcept { return mean_[kPayload]; }                       ///< mean of the payload's mass [kg]
+  Scalar mass() const noexcept { return mean_[kPayload] + mean_[kPoured]; }      ///< mean of the payload's mass [kg]
+  /// Mean of the payload's phi, with what was poured.
+  InertialVector<Scalar> payload_mean() const noexcept {
+    InertialVector<Scalar> phi;
+    for (int i = 0; i < kInertial; ++i) phi[i] = mean_[kPayload + i] + (i < 4 ? mean_[kPoured + i] : Scalar(0));
+    return phi;
+  }
+  /// Covariance of the payload's phi, with what was poured.
+  InertialMatrix<Scalar> payload_covariance() const noexcept {
+    Eigen::Matrix<Scalar, kInertial, kShared> rows;
+    for (int i = 0; i < kInertial; ++i)
+      for (int k = 0; k < kShared; ++k)
+        rows(i, k) = factor_(kPayload + i, k) + (i < 4 ? factor_(kPoured + i, k) : Scalar(0));
+    return detail::outer_square(rows);
+  }
+  /// Variance of the payload's mass [kg^2].
+  Scalar mass_variance() const noexcept {
+    Scalar sum = Scalar(0);
+    for (int k = 0; k < size_; ++k) {
+      const Scalar f = factor_(kPayload, k) + factor_(kPoured, k);
+      sum += f * f;
+    }
+    return sum;
+  }
   /// Variance of entry i of x.
   Scalar variance(int i) const noexcept {
     Scalar sum = Scalar(0);
@@ -138,8 +163,10 @@ class StarGaussian {
     p.nuisance_spread = detail::product(joint.covariance, o.c);
     p.given_shared = detail::dot(o.c, p.nuisance_spread) + o.noise;
     p.conditional_error = o.torque - detail::dot(o.c, joint.mean);
-    if (empty())
+    if (size_ == kArmShared)
       predict_shared<kArmShared>(joint, o, p);
+    else if (size_ == kHeldShared)
+      predict_shared<kHeldShared>(joint, o, p);
     else
       predict_shared<kShared>(joint, o, p);
     return p;
@@ -148,8 +175,10 @@ class StarGaussian {
   /// @param j  0 .. Dofs - 1
   /// @param p  predict() of this observation, for the same j and the present state
   void observe(int j, const Prediction& p) noexcept {
-    if (empty())
+    if (size_ == kArmShared)
       observe_shared<kArmShared>(j, p);
+    else if (size_ == kHeldShared)
+      observe_shared<kHeldShared>(j, p);
     else
       observe_shared<kShared>(j, p);
     observe_nuisances(j, p);
@@ -190,11 +219,24 @@ class StarGaussian {
       mean_[kPayload + i] = mean[i];
       for (int k = 0; k < kInertial; ++k) factor_(kPayload + i, kPayload + k) = factor(i, k);
     }
-    size_ = kShared;
+    size_ = kHeldShared;
+  }
+  /// The hand may hold `along` times z, z ~ N(0, 1), and the joints' nuisances have taken it for their own: each beta_j
+  /// is then off by shift[j] times z. The hand has to be empty.
+  /// @param along  standard deviation of each entry of phi; along[0] > 0
+  /// @param shift  of each joint
+  void suppose_payload(const InertialVector<Scalar>& along,
+                       const std::array<Beta, static_cast<std::size_t>(Dofs)>& shift) noexcept {
+    for (int i = 0; i < kInertial; ++i) factor_(kPayload + i, kPayload) = along[i];
+    for (int j = 0; j < Dofs; ++j)
+      for (int n = 0; n < kJointNuisances; ++n)
+        joint(j).slope(kPayload, n) = shift[static_cast<std::size_t>(j)][n] / along[0];
+    size_ = kHeldShared;
   }
   /// Counts the payload as part of the tool. The hand is empty afterwards.
   void payload_is_tool() noexcept {
     if (empty()) return;
+    end_pour();
     for (int i = 0; i < 4; ++i) {
       mean_[kTool + i] += mean_[kPayload + i];
       for (int k = 0; k < kShared; ++k) factor_(kTool + i, k) += factor_(kPayload + i, k);
@@ -204,47 +246,107 @@ class StarGaussian {
     }
     forget_payload();
   }
-  /// Adds independent noise to the tool's entries of x. Each beta_j keeps its moments with x as they were.
-  /// @param variance  of the noise [kg^2, (kg m)^2], >= 0
-  void widen_tool(const Vector4<Scalar>& variance) noexcept {
+  /// Adds independent noise to what belongs to the arm. Each beta_j keeps its moments with x as they were.
+  /// @param variance  of the noise, in the order of Shared, >= 0
+  void widen_arm(const Eigen::Matrix<Scalar, kArmShared, 1>& variance) noexcept {
     XMatrix total = covariance();
-    for (int i = 0; i < 4; ++i) total(kTool + i, kTool + i) += variance[i];
+    for (int i = 0; i < kArmShared; ++i) total(i, i) += variance[i];
     restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
   }
 
-  /// The payload's (m, m r) moves by dt r, where r is correlated with x; then process noise Q is added to phi. Each
-  /// beta_j keeps its moments with the old x, and depends on r only through x.
+  /// From now on, something may be poured in: nothing so far.
+  void begin_pour() noexcept { size_ = kShared; }
+  /// What has been poured so far becomes part of the payload's phi. Each beta_j keeps its moments with it.
+  void end_pour() noexcept {
+    if (size_ != kShared) return;
+    const InertialVector<Scalar> phi = payload_mean();
+    X mean = mean_;
+    for (int i = 0; i < kInertial; ++i) mean[kPayload + i] = phi[i];
+    for (int i = 0; i < 4; ++i) mean[kPoured + i] = Scalar(0);
+    XMatrix sum = factor_;
+    for (int k = 0; k < kShared; ++k) {
+      for (int i = 0; i < 4; ++i) {
+        sum(kPayload + i, k) += factor_(kPoured + i, k);
+        sum(kPoured + i, k) = Scalar(0);
+      }
+    }
+    if (!restate(mean, detail::outer_square(sum), [](const Slope& cross, const Slope&) {
+          Slope added = cross;
+          for (int n = 0; n < kJointNuisances; ++n) {
+            for (int i = 0; i < 4; ++i) {
+              added(kPayload + i, n) += cross(kPoured + i, n);
+              added(kPoured + i, n) = Scalar(0);
+            }
+          }
+          return added;
+        }))
+      return;
+    size_ = kHeldShared;
+  }
+  /// What has been poured moves by dt r, where r is correlated with x; then process noise Q is added to it. Each beta_j
+  /// keeps its moments with the old x, and depends on r only through x.
   /// @param dt     [s]
   /// @param rate   E[r] [kg/s, kg m/s]
   /// @param cross  cov(x, r); on return that of the new x
   /// @param V      cov(r)
-  /// @param Q      covariance of the noise of phi, positive semidefinite; if it is not finite, nothing changes
-  void drift(Scalar dt, const Vector4<Scalar>& rate, Cross& cross, const Matrix4<Scalar>& V,
-             const InertialMatrix<Scalar>& Q) noexcept {
-    XMatrix total = covariance();
-    for (int i = 0; i < kInertial; ++i)
-      for (int k = 0; k < kInertial; ++k) total(kPayload + i, kPayload + k) += Q(i, k);
+  /// @param Q      covariance of the noise, positive semidefinite; if it is not finite, nothing changes
+  void pour(Scalar dt, const Vector4<Scalar>& rate, Cross& cross, const Matrix4<Scalar>& V,
+            const Matrix4<Scalar>& Q) noexcept {
+    using Four = Eigen::Matrix<Scalar, kShared, 4>;
+    // r = E[r] + G^T (x - E[x]) + what x does not tell. So x' = A x + E n, with A = 1 + dt E G^T, and n, the noise, in the
+    // last four entries alone: beta_j changes by matrices of rank four.
+    XMatrix total = covariance(), lower, lower_after;
+    if (!factorise(total, lower)) return;
+    const Four G = solved(lower, cross);
+    Matrix4<Scalar> noise = V;
+    detail::add_scaled(noise, Scalar(-1), Matrix4<Scalar>(detail::transposed_product(cross, G)));
+    noise *= dt * dt;
+    noise += Q;
     Cross after = cross;
     for (int k = 0; k < 4; ++k)
-      for (int i = 0; i < 4; ++i) after(kPayload + i, k) += dt * V(i, k);
+      for (int i = 0; i < 4; ++i) after(kPoured + i, k) += dt * V(i, k);
     for (int i = 0; i < kShared; ++i) {
       for (int k = 0; k < 4; ++k) {
-        total(i, kPayload + k) += dt * cross(i, k);
-        total(kPayload + k, i) += dt * after(i, k);
+        total(i, kPoured + k) += dt * cross(i, k);
+        total(kPoured + k, i) += dt * after(i, k);
       }
     }
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k) total(kPoured + i, kPoured + k) += Q(i, k);
+    if (!factorise(total, lower_after)) return;
+    Four place = Four::Zero();
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k) place(kPoured + i, k) = noise(i, k);
+    const Four shown = solved(lower_after, place);  // E[n | x'] = shown^T (x' - E[x'])
+    Matrix4<Scalar> left = noise, turned = Matrix4<Scalar>::Identity();
+    for (int i = 0; i < 4; ++i) {
+      for (int k = 0; k < 4; ++k) {
+        for (int l = 0; l < 4; ++l) left(i, k) -= noise(i, l) * shown(kPoured + l, k);
+        turned(i, k) += dt * G(kPoured + i, k);
+      }
+    }
+    const Matrix4<Scalar> back = turned.inverse();
     X moved = mean_;
-    for (int i = 0; i < 4; ++i) moved[kPayload + i] += dt * rate[i];
-    if (!restate(moved, total, [&](const Slope& shared, const Slope& slope) {
-          Slope out = shared;
-          const Eigen::Matrix<Scalar, 4, kJointNuisances> with_rate = detail::transposed_product(cross, slope);
-          for (int i = 0; i < 4; ++i)
-            for (int n = 0; n < kJointNuisances; ++n) out(kPayload + i, n) += dt * with_rate(i, n);
-          return out;
-        }))
-      return;
+    for (int i = 0; i < 4; ++i) moved[kPoured + i] += dt * rate[i];
+    for (int j = 0; j < Dofs; ++j) {
+      Joint& joint = this->joint(j);
+      const Beta mean = nuisance_mean(j);
+      Eigen::Matrix<Scalar, 4, kJointNuisances> part;
+      for (int i = 0; i < 4; ++i)
+        for (int n = 0; n < kJointNuisances; ++n) part(i, n) = joint.slope(kPoured + i, n);
+      part = detail::product(back, part);
+      detail::add_scaled(joint.slope, -dt, Slope(detail::product(G, part)));
+      for (int i = 0; i < 4; ++i)
+        for (int n = 0; n < kJointNuisances; ++n) part(i, n) = joint.slope(kPoured + i, n);
+      detail::add_scaled(joint.slope, Scalar(-1), Slope(detail::product(shown, part)));
+      const Eigen::Matrix<Scalar, 4, kJointNuisances> spread = detail::product(left, part);
+      joint.covariance += detail::transposed_product(part, spread);
+      joint.mean = mean;
+      detail::add_scaled(joint.mean, Scalar(-1), Beta(detail::transposed_product(joint.slope, moved)));
+    }
+    factor_ = lower_after;
+    mean_ = moved;
     cross = after;
-    size_ = kShared;
   }
 
   /// Cholesky factorisation P = L L^T, L lower triangular, for a positive semidefinite P. A direction whose variance is
@@ -257,16 +359,16 @@ class StarGaussian {
     if (!detail::finite(P)) return false;
     Matrix out = Matrix::Zero();
     for (int j = 0; j < Size; ++j) {
-      Scalar pivot = P(j, j);
-      for (int k = 0; k < j; ++k) pivot -= out(j, k) * out(j, k);
-      // Relative to its own diagonal entry, since the entries have different units.
-      if (!(pivot > Eigen::NumTraits<Scalar>::epsilon() * 16 * P(j, j))) continue;
-      out(j, j) = sqrt(pivot);
-      for (int i = j + 1; i < Size; ++i) {
-        Scalar sum = P(i, j);
-        for (int k = 0; k < j; ++k) sum -= out(i, k) * out(j, k);
-        out(i, j) = sum / out(j, j);
+      for (int i = j; i < Size; ++i) out(i, j) = P(i, j);
+      for (int k = 0; k < j; ++k) {
+        const Scalar head = out(j, k);
+        for (int i = j; i < Size; ++i) out(i, j) -= head * out(i, k);
       }
+      const Scalar pivot = out(j, j);
+      // Relative to its own diagonal entry, since the entries have different units.
+      const bool varies = pivot > Eigen::NumTraits<Scalar>::epsilon() * 16 * P(j, j);
+      const Scalar scale = varies ? Scalar(1) / sqrt(pivot) : Scalar(0);
+      for (int i = j; i < Size; ++i) out(i, j) *= scale;
     }
     L = out;
     return true;
@@ -322,6 +424,22 @@ class StarGaussian {
     factor_ = lower;
     mean_ = mean;
     return true;
+  }
+  /// P^-1 R for P = L L^T, in the directions that have variance; the others are zero.
+  static Cross solved(const XMatrix& L, const Cross& R) noexcept {
+    Cross out = R;
+    for (int c = 0; c < 4; ++c) {
+      for (int i = 0; i < kShared; ++i) {
+        out(i, c) = L(i, i) > 0 ? out(i, c) / L(i, i) : Scalar(0);
+        for (int k = i + 1; k < kShared; ++k) out(k, c) -= L(k, i) * out(i, c);
+      }
+      for (int i = kShared - 1; i >= 0; --i) {
+        Scalar sum = out(i, c);
+        for (int k = i + 1; k < kShared; ++k) sum -= L(k, i) * out(k, c);
+        out(i, c) = L(i, i) > 0 ? sum / L(i, i) : Scalar(0);
+      }
+    }
+    return out;
   }
   /// Inverse of factorise()'s L in the directions that have variance, with zeros in the rows and columns of the others.
   static XMatrix inverted(const XMatrix& L) noexcept {

@@ -17,15 +17,19 @@ struct Story {
   Pour<Scalar, Dofs> pour;                ///< of Mode::Pouring
   Mode mode = Mode::Empty;                ///< of the last block
   Disturbing how = Disturbing::Hand;      ///< of Mode::Disturbed
+  bool quick = false;                     ///< of Mode::Pouring: it is taken up quickly
   int payload = 0;                        ///< which payload is held; 0 for none
-  int next = 0;                           ///< Mode::Changing: which payload will be held
+  int next = 1;                           ///< name of the payload that will be held next
   Scalar log_weight = Scalar(0);          ///< log probability
   Scalar log_plausible = Scalar(0);       ///< log probability that the mass is plausible, as counted so far
 
   /// Whether both say the same of the present. They may differ in when it began.
   bool same(const Story& other) const noexcept {
-    return mode == other.mode && payload == other.payload && (mode != Mode::Disturbed || how == other.how);
+    return mode == other.mode && payload == other.payload && (mode != Mode::Disturbed || how == other.how) &&
+           (mode != Mode::Pouring || quick == other.quick);
   }
+  /// The name of a payload that is held from now on.
+  int take_next() noexcept { return next++; }
   /// Whether a payload, or none, explains the last block.
   bool settled() const noexcept { return mode != Mode::Disturbed && mode != Mode::Changing; }
 };

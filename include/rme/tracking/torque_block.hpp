@@ -47,7 +47,7 @@ struct TorqueBlock {
 template <typename Scalar, int Dofs>
 struct BlockContext {
   bool exchange_likely = false;  ///< the host says that the payload changes now
-  bool kind_likely = true;       ///< the arm is not unlikely to have this kind of torque sensing
+  Scalar log_share = Scalar(0);  ///< log probability that the arm has this kind of torque sensing
   bool friction_shows = false;   ///< it is certain that tau_ext contains joint friction
   /// Change of the commanded compensation since the last block [N m].
   JointVector<Scalar, Dofs> compensation_change = JointVector<Scalar, Dofs>::Zero();

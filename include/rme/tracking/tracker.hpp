@@ -79,11 +79,11 @@ class Tracker {
     }
     BlockContext<Scalar, Dofs> rough;
     rough.exchange_likely = exchange_likely;
-    rough.kind_likely = belief_.sensing[kBanks] > Scalar(kUnlikely);
+    rough.log_share = static_cast<Scalar>(evidence_[kBanks]);
     rough.friction_shows = context.friction_shows;
     rough.compensation_change =
         detail::product(block.regressor, detail::scaled(Scalar(-1), context.compensation_change));
-    rough_.begin(block, regime_, rough);
+    rough_.begin(block, regime_, rough, children_);
     step_ = 0;
     busy_ = true;
   }
@@ -96,7 +96,7 @@ class Tracker {
       ++step_;
       return false;
     }
-    if (!rough_.advance()) return false;
+    if (!rough_.advance(children_)) return false;
     busy_ = false;
     finish();
     return true;
@@ -146,7 +146,7 @@ class Tracker {
       bank.believe(bank::Hypothesis::Steady, Scalar(kHostIsRight));
     }
     rough_.reopen_offsets();
-    rough_.believe_held(mean, detail::scaled(Scalar(1 / kRoughSpread), factor), Scalar(kHostIsRight));
+    rough_.believe_held(mean, detail::scaled(Scalar(1 / kRough.spread), factor), Scalar(kHostIsRight));
     summarise();
   }
 
@@ -159,9 +159,8 @@ class Tracker {
   // much better than the others.
   static constexpr std::array<double, kSensings> kEvidence = {-8, 0, -40};
   // The residual of a rough model is the same again wherever the arm comes back to, but its filters treat it as new. So
-  // they are too certain: the reported standard deviations are 1.5 times theirs (docs/theory.md, "Friction").
-  static constexpr double kRoughSpread = 1.5;
-  static constexpr double kGain = 0.02;    // relative error of a rough model's torque: no payload is known better
+  // they are too certain: the reported standard deviations are `spread` times theirs (docs/theory.md, "Friction").
+  static constexpr SensingKind kRough = kind_of(Sensing::RoughModel);
   static constexpr double kAcross = 0.15;  // share of a link's error that counts across the last joint's axis (T28)
   // Largest difference between the log probabilities of two kinds [nats]: small enough that an arm which was changed,
   // for example at a service, is recognised after some seconds of motion.
@@ -243,8 +242,8 @@ class Tracker {
           [&] { return rough_.payload(i).mean; },
           [&] {
             const InertialGaussian<Scalar> payload = rough_.payload(i);
-            InertialMatrix<Scalar> P = detail::scaled(Scalar(kRoughSpread * kRoughSpread), payload.covariance);
-            detail::add_outer(P, detail::scaled(Scalar(kGain * kGain), payload.mean), payload.mean);
+            InertialMatrix<Scalar> P = detail::scaled(Scalar(kRough.spread * kRough.spread), payload.covariance);
+            detail::add_outer(P, detail::scaled(Scalar(kRough.gain * kRough.gain), payload.mean), payload.mean);
             return P;
           });
     }
@@ -295,8 +294,9 @@ class Tracker {
   FrictionRegime<Scalar, Dofs> regime_;
   std::array<Bank, kBanks> banks_;
   Histories<Scalar, Dofs> rough_;
-  std::array<double, kSensings> evidence_ = kEvidence;  // log probability, up to a constant [nats]
-  std::size_t step_ = 0;                                // steps of the banks done for this block
+  typename Histories<Scalar, Dofs>::Children children_;  // of rough_'s stories
+  std::array<double, kSensings> evidence_ = kEvidence;   // log probability, up to a constant [nats]
+  std::size_t step_ = 0;                                 // steps of the banks done for this block
   bool busy_ = false;
   Scalar duration_ = Scalar(0), speed_ = Scalar(0);
   TrackerBelief<Scalar> belief_;
