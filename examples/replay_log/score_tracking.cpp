@@ -4,7 +4,7 @@
 // a row for each scenario and folder:
 //
 //   mass, centre of mass   mean absolute error over the scenario's window and all runs, and how often the 90 % interval
-//                          holds the truth. Windows: A, B at 0.5 s after the attach; D the whole run; E, H the last 4 s;
+//                          holds the truth. Windows: A, B at 0.5 s (--after) after the attach; D the whole run; E, H the last 4 s;
 //                          F the end; M 8 to 11.9 s
 //   end                    mean absolute error of the mass at the end
 //   lag                    F: largest error of the mass from the beginning of the pour on, mean over the runs
@@ -34,6 +34,7 @@ using namespace rme::examples;
 constexpr const char* kUsage = "usage: score_tracking FOLDER... [options]\n";
 constexpr const char* kOwnUsage =
     "  --scenario LETTERS  which scenarios (ABDEFHM)\n"
+    "  --after S           when A and B are compared, after the attach [s] (0.5)\n"
     "  --dq-noise W        white noise on dq, standard deviation [rad/s]\n"
     "  --torque-step T     tau_ext is quantised in steps of T [N m]\n"
     "  --late N            tau_ext is delayed by N rows\n"
@@ -101,7 +102,7 @@ struct Score {
 };
 
 Score score(const Log<7>& log, const std::string& scenario, double attach, const std::vector<double>& changes,
-            const ReplayOptions<7>& options) {
+            double after, const ReplayOptions<7>& options) {
   std::vector<Belief> beliefs{{-1e9, Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero()}};
   replay<7>(
       log, samples_of(log, options.arm, options.estimator), options,
@@ -119,8 +120,8 @@ Score score(const Log<7>& log, const std::string& scenario, double attach, const
                                         [](double time, const Belief& b) { return time < b.t; });
     return *(after - 1);
   };
-  const std::map<char, std::pair<double, double>> windows = {{'A', {attach + 0.5, attach + 0.5}},
-                                                             {'B', {attach + 0.5, attach + 0.5}},
+  const std::map<char, std::pair<double, double>> windows = {{'A', {attach + after, attach + after}},
+                                                             {'B', {attach + after, attach + after}},
                                                              {'D', {0, last}},
                                                              {'E', {last - 4, last}},
                                                              {'H', {last - 4, last}},
@@ -184,6 +185,7 @@ void print(const std::string& folder, const std::string& scenario, std::vector<S
 int run(Arguments& arguments) {
   Faults faults;
   const std::string scenarios = arguments.text("--scenario").value_or("ABDEFHM");
+  const double after = arguments.number("--after").value_or(0.5);
   faults.dq_noise = arguments.number("--dq-noise").value_or(0);
   faults.torque_step = arguments.number("--torque-step").value_or(0);
   faults.lost = arguments.number("--lost").value_or(0);
@@ -193,6 +195,7 @@ int run(Arguments& arguments) {
   faults.seed = arguments.whole("--seed", 0).value_or(1);
   if (!(faults.dq_noise >= 0 && faults.torque_step >= 0 && faults.lost >= 0 && faults.lost < 1))
     throw ArgumentError("--dq-noise, --torque-step: must be 0 or more, --lost below 1");
+  if (!(after > 0)) throw ArgumentError("--after: must be above 0 s");
   const ReplayRequest<7> request = parse_replay<7>(arguments, parse_arm(arguments));
   const double recorded = request.options.estimator.observer_bandwidth;
   if (!(faults.observer >= 0) || (faults.observer > 0 && !(recorded > 0)))
@@ -224,8 +227,8 @@ int run(Arguments& arguments) {
         throw LogError(log.name + ": tau_ext, dq and the truth m, rx, ry, rz are all needed");
       std::vector<double> changes;
       for (const auto& event : entry.at("events")) changes.push_back(event.at("t"));
-      scores[scenario].push_back(
-          score(spoilt(log, faults, recorded, number++), scenario, entry.at("attach_time"), changes, request.options));
+      scores[scenario].push_back(score(spoilt(log, faults, recorded, number++), scenario, entry.at("attach_time"),
+                                       changes, after, request.options));
     }
     std::fprintf(stderr, "\r%-70s\r", "");
     std::string name = folder;

@@ -4,36 +4,20 @@
 #include <string>
 #include <type_traits>
 
+#include "support/any_joints.hpp"
 #include "support/catch.hpp"
-
-// Compiled with the program replay_log, for all numbers of joints.
-extern template class rme::Estimator<double, 4>;
-extern template class rme::Estimator<double, 5>;
-extern template class rme::Estimator<double, 6>;
-extern template class rme::Estimator<double, 8>;
 
 namespace {
 
 using namespace rme;
 using Runtime = RuntimeEstimator<double>;
 
-/// Samples of a made-up arm that moves, and gets a kilogram after half a second.
+/// The made-up arm's samples; after some time with everything that a host may add.
 template <int Dofs>
 Proprioception<double, Dofs> sample_at(int tick) {
-  const double t = 1e-3 * tick;
-  Proprioception<double, Dofs> sample;
-  const double angle = 0.3 * std::sin(t);
-  sample.rotation << std::cos(angle), 0, std::sin(angle), 0, 1, 0, -std::sin(angle), 0, std::cos(angle);
-  for (int j = 0; j < Dofs; ++j) {
-    for (int i = 0; i < 6; ++i) sample.jacobian(i, j) = std::sin(1.0 + i + 2 * j + 0.2 * std::sin(t));
-    sample.dq[j] = 0.01 * std::cos(t + j);
-  }
-  const double mass = tick > 500 ? 1 : 0;
-  sample.tau_ext = -compensation_torque<double>({mass, {0.01, 0, 0.1}}, sample.jacobian, sample.rotation);
-  for (int j = 0; j < Dofs; ++j) sample.tau_ext[j] += 0.01 * std::sin(1.7 * tick * (j + 1));
-  sample.period = tick % 7 == 0 ? 0.002 : 0;
+  Proprioception<double, Dofs> sample = testing::sample_at<Dofs>(tick);
   if (tick > 600)
-    sample.compensation = 0.9 * compensation_torque<double>({mass, {0.01, 0, 0.1}}, sample.jacobian, sample.rotation);
+    sample.compensation = 0.9 * compensation_torque<double>({1, {0.01, 0, 0.1}}, sample.jacobian, sample.rotation);
   if (tick > 800) sample.gravity_torque = 0.5 * sample.jacobian.template topRows<3>().transpose();
   if (tick > 1000) sample.motion = FlangeMotion<double>{{0, 0.1, 0}, {0.2, 0, 0.1}, {0, 0.3, 0}};
   return sample;

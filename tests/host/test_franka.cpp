@@ -108,6 +108,15 @@ void carry_about(FrankaHost& franka, franka::Robot& robot, Compensation& payload
   REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
 }
 
+/// Is handed the kilogram after a second, and carries it about.
+int pick_up(FrankaHost& franka, franka::Robot& robot, Compensation& payload) {
+  REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
+  const int handle = franka.arm.attach(unknown_kilogram());
+  REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
+  carry_about(franka, robot, payload);
+  return handle;
+}
+
 TEST_CASE("franka_hand_over: refuses, with the reason, until mass and centre of mass are certain", "[host]") {
   FrankaHost franka;
   franka::Robot robot(franka.simulation());
@@ -134,10 +143,7 @@ TEST_CASE("franka_hand_over: the load is the payload in flange axes, and rme the
   FrankaHost franka;
   franka::Robot robot(franka.simulation());
   Compensation payload(kPeriod, franka_config());
-  REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
-  franka.arm.attach(unknown_kilogram());
-  REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
-  carry_about(franka, robot, payload);
+  (void)pick_up(franka, robot, payload);
   const FrankaHandOver result = franka_hand_over(robot, payload);
   CAPTURE(to_string(result.judged.verdict), result.judged.torque_error);
   REQUIRE(result.done);
@@ -190,10 +196,7 @@ TEST_CASE("franka_hand_over: what counts is what the robot took", "[host]") {
   FrankaHost franka;
   franka::Robot robot(franka.simulation());
   Compensation payload(kPeriod, franka_config());
-  REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
-  const int handle = franka.arm.attach(unknown_kilogram());
-  REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
-  carry_about(franka, robot, payload);
+  const int handle = pick_up(franka, robot, payload);
   franka.takes = 0;  // says yes, and takes nothing
   const FrankaHandOver nothing = franka_hand_over(robot, payload);
   CHECK(nothing.judged.ready());
@@ -235,10 +238,7 @@ TEST_CASE("A load that was handed over and is dropped moves the arm little, and 
   FrankaHost franka;
   franka::Robot robot(franka.simulation());
   Compensation payload(kPeriod, franka_config());
-  REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
-  const int handle = franka.arm.attach(unknown_kilogram());
-  REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
-  carry_about(franka, robot, payload);
+  const int handle = pick_up(franka, robot, payload);
   REQUIRE(franka_hand_over(robot, payload).done);
   REQUIRE(franka.control(robot, payload, 1000) == Status::Ok);
   const Vector upwards = torque_that_holds(franka.load, franka.arm.kinematics());

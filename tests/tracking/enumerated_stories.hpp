@@ -68,40 +68,46 @@ class EnumeratedStories {
         add(take_in(model, p, mode, how, anew, quick, late, std::log(probability)));
     };
     const auto disturb = [&] {
-      child(Mode::Disturbed, H::kDisturbs);
+      child(Mode::Disturbed, Transitions::kDisturbs);
       child(Mode::Disturbed, kind.jolt, Disturbing::Jolt);
     };
     if (p.mode == Mode::Empty || p.mode == Mode::Held) {
-      const double pours = (p.mode == Mode::Empty ? H::kFills : H::kPours) * kind.slowly;
-      child(p.mode, 1 - 1.3 * c - H::kDisturbs - kind.jolt - pours);
+      const double pours = (p.mode == Mode::Empty ? Transitions::kFills : Transitions::kPours) * kind.slowly;
+      child(p.mode, 1 - (p.mode == Mode::Held ? 1.3 : 1) * c - Transitions::kDisturbs - kind.jolt - pours -
+                        (p.mode == Mode::Empty ? kind.takes_up : 0));
       child(Mode::Changing, c);
       if (p.mode == Mode::Held) child(Mode::Empty, 0.3 * c);
       disturb();
       if (p.mode == Mode::Empty) child(Mode::Pouring, kind.takes_up, Disturbing::Hand, false, true);
       if (blocks_ % 5 == 0) child(Mode::Pouring, 5 * pours);
     } else if (p.mode == Mode::Pouring) {
-      const double ends = p.quick ? H::kQuickEnds : H::kPourEnds;
-      child(Mode::Pouring, 1 - ends - c - H::kDisturbs - kind.jolt, Disturbing::Hand, false, p.quick);
+      const double ends = p.quick ? Transitions::kQuickEnds : Transitions::kPourEnds;
+      child(Mode::Pouring, 1 - ends - c - Transitions::kDisturbs - kind.jolt, Disturbing::Hand, false, p.quick);
       child(Mode::Held, ends);
       child(Mode::Changing, c);
       disturb();
     } else if (p.mode == Mode::Changing) {
-      child(Mode::Changing, 1 - H::kSettles - H::kEmpties - H::kTurnsOut);
-      child(Mode::Disturbed, H::kTurnsOut);
-      child(Mode::Held, H::kSettles, Disturbing::Hand, true);
-      if (kind.lag > 0 && p.star.variance(kLag) < H::kLate * H::kLate)
-        child(Mode::Held, H::kSettles * H::kIsLate, Disturbing::Hand, true, false, true);
-      if (p.payload != 0) child(Mode::Empty, H::kEmpties);
+      child(Mode::Changing,
+            1 - Transitions::kSettles - (p.payload != 0 ? Transitions::kEmpties : 0) - Transitions::kTurnsOut);
+      child(Mode::Disturbed, Transitions::kTurnsOut);
+      const bool late = kind.lag > 0 && p.star.variance(kLag) < Transitions::kLate * Transitions::kLate;
+      child(Mode::Held, Transitions::kSettles * (late ? 1 - Transitions::kIsLate : 1), Disturbing::Hand, true);
+      if (late) child(Mode::Held, Transitions::kSettles * Transitions::kIsLate, Disturbing::Hand, true, false, true);
+      if (p.payload != 0) child(Mode::Empty, Transitions::kEmpties);
     } else {
       const bool jolt = p.how == Disturbing::Jolt, soft = p.how == Disturbing::Growing || p.how == Disturbing::Still;
-      const double ends = jolt ? H::kJoltEnds : soft ? H::kTouchEnds : H::kDisturbEnds;
-      const double turns_out = (soft ? 0.3 : 1) * H::kTurnsOut * std::min(1.0, c / 1e-3);
-      child(Mode::Disturbed, 1 - ends - turns_out - (jolt ? 0 : 2 * H::kOther), p.how);
+      const double ends = jolt ? Transitions::kJoltEnds : soft ? Transitions::kTouchEnds : Transitions::kDisturbEnds;
+      const double turns_out = (soft ? 0.3 : 1) * Transitions::kTurnsOut * std::min(1.0, c / 1e-3);
+      child(Mode::Disturbed,
+            1 - ends - turns_out -
+                (jolt ? 0 : Transitions::kOther * ((p.how != Disturbing::Hand) + (soft ? 1 : 2) * kind.slowly)),
+            p.how);
       child(p.payload == 0 ? Mode::Empty : Mode::Held, ends);
       child(Mode::Changing, turns_out);
       if (jolt) return;
       for (const Disturbing how : {Disturbing::Hand, Disturbing::Growing, Disturbing::Still})
-        if (how != p.how) child(Mode::Disturbed, H::kOther * (how == Disturbing::Hand ? 1 : kind.slowly), how);
+        if (how != p.how)
+          child(Mode::Disturbed, Transitions::kOther * (how == Disturbing::Hand ? 1 : kind.slowly), how);
     }
   }
 
@@ -125,7 +131,7 @@ class EnumeratedStories {
         child.disturbance.predict(child.how, duration, rated_);
       else
         child.disturbance.begin(rated_);
-      return child.disturbance.observe(model, child.star, jolt ? H::kJolt : 0, squared);
+      return child.disturbance.observe(model, child.star, jolt ? StoryFilter<double, Dofs>::kJolt : 0, squared);
     }
     if (child.mode == Mode::Changing) {
       auto star = child.star;
@@ -147,7 +153,7 @@ class EnumeratedStories {
       child.log_plausible = 0;
       if (late) {
         Eigen::Matrix<double, kArmShared, 1> wider = Eigen::Matrix<double, kArmShared, 1>::Zero();
-        wider[kLag] = H::kLate * H::kLate;
+        wider[kLag] = Transitions::kLate * Transitions::kLate;
         child.star.widen_arm(wider);
       }
       out = draw(model, child.star);

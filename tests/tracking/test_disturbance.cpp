@@ -102,7 +102,7 @@ TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of a dense Ga
       CHECK((disturbance.mean() - mean).norm() < 1e-9 * mean.norm());
       CHECK((disturbance.covariance() - covariance).norm() < 1e-9 * W.norm());
       // Given x, and the wrench as it was known, each joint's nuisances learn from what is left. The wrench's error is
-      // the same in twelve blocks.
+      // the same in 200 blocks.
       for (int j = 0; j < kDofs; ++j) {
         CAPTURE(j);
         const auto o = model.observation(j, before.mass());

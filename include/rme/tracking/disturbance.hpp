@@ -110,8 +110,8 @@ class Disturbance {
   const Eigen::Matrix<Scalar, 6, 6>& covariance() const noexcept { return covariance_; }  ///< of w
 
  private:
-  // The error of the wrench is the same in the blocks of about a quarter of a second. The nuisances take it for new in
-  // each, so it counts this many times.
+  // The error of the wrench is the same for as long as the hand pushes in the same way. The nuisances take it for new
+  // in each block, so it counts this many times: that of four seconds.
   static constexpr double kCommon = 200;
   static constexpr double kForce = 4;           // standard deviation of a new wrench's force per rated payload [N/kg]
   static constexpr double kMoment = 0.5;        // the same of its moment [N m/kg]

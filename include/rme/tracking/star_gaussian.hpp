@@ -292,12 +292,11 @@ class StarGaussian {
   /// @param Q      covariance of the noise, positive semidefinite; if it is not finite, nothing changes
   void pour(Scalar dt, const Vector4<Scalar>& rate, Cross& cross, const Matrix4<Scalar>& V,
             const Matrix4<Scalar>& Q) noexcept {
-    using Four = Eigen::Matrix<Scalar, kShared, 4>;
     // r = E[r] + G^T (x - E[x]) + what x does not tell. So x' = A x + E n, with A = 1 + dt E G^T, and n, the noise, in the
     // last four entries alone: beta_j changes by matrices of rank four.
     XMatrix total = covariance(), lower, lower_after;
     if (!factorise(total, lower)) return;
-    const Four G = solved(lower, cross);
+    const Cross G = solve(lower, cross);
     Matrix4<Scalar> noise = V;
     detail::add_scaled(noise, Scalar(-1), Matrix4<Scalar>(detail::transposed_product(cross, G)));
     noise *= dt * dt;
@@ -314,10 +313,10 @@ class StarGaussian {
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k < 4; ++k) total(kPoured + i, kPoured + k) += Q(i, k);
     if (!factorise(total, lower_after)) return;
-    Four place = Four::Zero();
+    Cross place = Cross::Zero();
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k < 4; ++k) place(kPoured + i, k) = noise(i, k);
-    const Four shown = solved(lower_after, place);  // E[n | x'] = shown^T (x' - E[x'])
+    const Cross shown = solve(lower_after, place);  // E[n | x'] = shown^T (x' - E[x'])
     Matrix4<Scalar> left = noise, turned = Matrix4<Scalar>::Identity();
     for (int i = 0; i < 4; ++i) {
       for (int k = 0; k < 4; ++k) {
@@ -426,7 +425,7 @@ class StarGaussian {
     return true;
   }
   /// P^-1 R for P = L L^T, in the directions that have variance; the others are zero.
-  static Cross solved(const XMatrix& L, const Cross& R) noexcept {
+  static Cross solve(const XMatrix& L, const Cross& R) noexcept {
     Cross out = R;
     for (int c = 0; c < 4; ++c) {
       for (int i = 0; i < kShared; ++i) {

@@ -19,12 +19,7 @@
 #include <vector>
 
 #include "io/log_reader.hpp"
-
-// Compiled with the program replay_log, for all numbers of joints.
-extern template class rme::Estimator<double, 4>;
-extern template class rme::Estimator<double, 5>;
-extern template class rme::Estimator<double, 6>;
-extern template class rme::Estimator<double, 8>;
+#include "support/any_joints.hpp"
 
 namespace {
 

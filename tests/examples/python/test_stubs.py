@@ -76,7 +76,8 @@ for module_name in ("rme", "synthetic_arm"):
     module = importlib.import_module(module_name)
     assert module.__doc__
     tree = ast.parse((Path(sys.argv[1]) / f"{module_name}.pyi").read_text(encoding="utf-8"))
-    assert (Path(module.__file__).parent / f"{module_name}.pyi").exists(), "the stub lies beside the module"
+    beside = Path(module.__file__).with_name(f"{module_name}.pyi")  # where editors look for it
+    assert beside.exists(), f"{beside}: expected the type stub beside the module, found none"
     found = set()
     for node in tree.body:
         if isinstance(node, (ast.Import, ast.ImportFrom, ast.Expr)):

@@ -1,0 +1,178 @@
+#pragma once
+/// How a story takes in a block of samples.
+#include <algorithm>
+#include <cmath>
+#include <rme/core/types.hpp>
+#include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/disturbance.hpp>
+#include <rme/tracking/friction_regime.hpp>
+#include <rme/tracking/joint_torque_model.hpp>
+#include <rme/tracking/mode.hpp>
+#include <rme/tracking/story.hpp>
+#include <rme/tracking/torque_block.hpp>
+#include <rme/tracking/transitions.hpp>
+
+namespace rme {
+
+/// The filter of a story, for one kind of torque sensing: a block comes in, and the story with the block and the
+/// likelihood of the block go out (docs/theory.md, "Stories" and (T16) to (T18)). What is learned of the arm's noise is
+/// the same for all stories. Real time: no call allocates.
+template <typename Scalar, int Dofs>
+class StoryFilter {
+ public:
+  static constexpr double kJolt = 3;             ///< torque of a jolt, times the joint's scale [N m]
+  using Star = StarGaussian<Scalar, Dofs>;       ///< state of a filter
+  using Model = JointTorqueModel<Scalar, Dofs>;  ///< model of the arm
+  using Tale = Story<Scalar, Dofs>;              ///< a story
+  using Torque = JointVector<Scalar, Dofs>;      ///< one number per joint
+  /// Innovations of a block, unless it is disturbed.
+  struct Innovation {
+    Torque innovation = Torque::Zero();  ///< e of each joint [N m]
+    Torque variance = Torque::Ones();    ///< S of each joint [(N m)^2]
+    Scalar squared = Scalar(0);          ///< e^T S^-1 e, joints taken one by one
+  };
+
+  /// Parameters as in Tracker; `kind` is the row of the kind assumed.
+  StoryFilter(const SensingKind& kind, const ArmPrior<Scalar, Dofs>& arm, const PayloadPrior<Scalar>& payload,
+              Scalar rated_payload, const Vector3<Scalar>& gravity) noexcept
+      : model_(kind, arm, rated_payload,
+               detail::dot(payload.com_mean, payload.com_mean) + detail::dot(payload.com_std, payload.com_std),
+               gravity),
+        payload_(payload),
+        rated_(rated_payload) {}
+
+  Model& model() noexcept { return model_; }              ///< of the arm; its block is the one that is taken in
+  const Model& model() const noexcept { return model_; }  ///< the same
+
+  /// Applies the block to a child that is still its parent's copy.
+  /// @param child       on return, the story with the block
+  /// @param parent      the story without it
+  /// @param transition  from the parent to the child
+  /// @param children    first() and drawn() are overwritten; if the child is changing and one block shows a payload,
+  ///                    drawn() holds the payload that this block alone shows
+  /// @param out         of the update
+  /// @return log p(block | child) [nats], without the constant factor of 2 pi
+  template <typename Children>
+  Scalar take_in(Tale& child, const Tale& parent, const Transition& transition, Children& children,
+                 Innovation& out) noexcept {
+    const Scalar duration = model_.block().duration;
+    model_.predict(child.star);
+    if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) child.star.end_pour();
+    if (child.mode == Mode::Disturbed) {
+      const bool jolt = child.how == Disturbing::Jolt;
+      if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt || jolt)
+        child.disturbance.begin(rated_);
+      else
+        child.disturbance.predict(child.how, duration, rated_);
+      return child.disturbance.observe(model_, child.star, jolt ? Scalar(kJolt) : Scalar(0), out.squared);
+    }
+    if (child.mode == Mode::Changing) {
+      if (model_.kind().draws) {
+        Tale& drawn = children.drawn();
+        drawn.star = child.star;
+        drawn.mode = Mode::Held;
+        draw(drawn, children.first(), out);
+        return update(drawn, out) + log_plausible(drawn.star, kLightest);
+      }
+      Star star = child.star;
+      Disturbance<Scalar, Dofs> anything;
+      anything.begin(rated_);
+      return anything.observe(model_, star, Scalar(0), out.squared);
+    }
+    if (child.mode == Mode::Empty) {
+      if (parent.payload != 0) model_.unload(child.star, parent.star.payload_mean());
+      child.star.forget_payload();
+      child.payload = 0;
+      child.log_plausible = Scalar(0);
+      return update(child, out);
+    }
+    Scalar log_likelihood = Scalar(0);
+    if (child.mode == Mode::Pouring) {
+      if (parent.mode != Mode::Pouring) {
+        if (child.quick) model_.suppose_hidden(child.star, payload_.com_mean);
+        child.pour.begin(child.star, payload_, rated_, child.quick);
+        if (child.payload == 0) child.payload = child.take_next();
+      }
+      child.pour.predict(child.star, duration, payload_, rated_);
+    } else if (transition.anew) {
+      if (transition.late) {
+        Eigen::Matrix<Scalar, kArmShared, 1> lag = Eigen::Matrix<Scalar, kArmShared, 1>::Zero();
+        lag[kLag] = Scalar(Transitions::kLate * Transitions::kLate);
+        child.star.widen_arm(lag);
+      }
+      child.payload = child.take_next();
+      child.log_plausible = Scalar(0);
+      draw(child, children.first(), out);
+    }
+    log_likelihood += update(child, out);
+    // What is poured begins with nothing. It may be as light as it likes, but not lighter than that.
+    const Scalar plausible = log_plausible(child.star, child.mode == Mode::Pouring ? 0 : kLightest);
+    log_likelihood += plausible - child.log_plausible;
+    child.log_plausible = plausible;
+    return log_likelihood;
+  }
+
+ private:
+  static constexpr double kLightest = 0.007, kHeaviest = 1.2;  // times the rated payload: 20 g and 3.6 kg on a Panda
+
+  /// Draws a new payload. The prior of m r needs the mass, and the block itself shows the mass best. So the prior is for
+  /// the mass that the block shows.
+  void draw(Tale& child, Tale& first, Innovation& out) noexcept {
+    child.star.draw_payload(payload_.mean(), payload_.factor(payload_.square_mass()));
+    first.star = child.star;
+    first.mode = Mode::Held;
+    (void)update(first, out);
+    const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, first.star.mass()));
+    const Scalar square = mass * mass + first.star.mass_variance();
+    child.star.draw_payload(payload_.mean(), payload_.factor(square));
+  }
+
+  /// Updates a story's filter with the block, joint by joint.
+  /// @return log p(block | story) [nats], without the constant factor of 2 pi
+  Scalar update(Tale& story, Innovation& out) noexcept {
+    using std::abs;
+    using std::exp;
+    using std::log;
+    Star& star = story.star;
+    const Scalar mass = std::min(std::max(star.mass(), Scalar(0)), rated_);
+    Scalar log_likelihood = Scalar(0);
+    out.squared = Scalar(0);
+    for (int j = 0; j < Dofs; ++j) {
+      auto p = star.predict(j, model_.observation(j, mass));
+      const Scalar square = p.innovation * p.innovation;
+      const auto log_density = [square](Scalar v) { return Scalar(-0.5) * (square / v + log(v)); };
+      if (const Scalar jump = model_.stiction_jump(star, j); jump > 0) {  // a mixture of both
+        const Scalar stays = log_density(p.variance), jumps = log_density(p.variance + jump);
+        const Scalar share = Scalar(1) / (Scalar(1) + exp(stays - jumps));
+        log_likelihood += std::max(stays, jumps) + log(Scalar(1) + exp(-abs(stays - jumps)));
+        star.joint(j).covariance(kStiction, kStiction) += share * jump;
+        p = star.predict(j, model_.observation(j, mass));
+      } else {
+        log_likelihood += log_density(p.variance);
+      }
+      out.squared += square / p.variance;
+      out.innovation[j] = p.innovation;
+      out.variance[j] = p.variance;
+      if (story.mode == Mode::Pouring) story.pour.observe(star, p);
+      star.observe(j, p);
+    }
+    return log_likelihood;
+  }
+
+  /// Log probability that the mass is plausible: neither indistinguishable from zero nor too large for the arm.
+  /// @param lightest  mass that counts as nothing, per rated payload
+  Scalar log_plausible(const Star& star, double lightest) const noexcept {
+    using std::erfc;
+    using std::log;
+    using std::sqrt;
+    const Scalar deviation = sqrt(std::max(star.mass_variance(), Scalar(1e-12)));
+    const auto below = [&](Scalar m) { return Scalar(0.5) * erfc((star.mass() - m) / (deviation * sqrt(Scalar(2)))); };
+    return log(std::max(Scalar(1e-30), below(Scalar(kHeaviest) * rated_) - below(Scalar(lightest) * rated_)));
+  }
+
+  Model model_;
+  PayloadPrior<Scalar> payload_;
+  Scalar rated_;
+};
+
+}  // namespace rme

@@ -1,0 +1,144 @@
+#pragma once
+/// What may happen to the hand from one block to the next.
+#include <algorithm>
+#include <rme/tracking/disturbance.hpp>
+#include <rme/tracking/mode.hpp>
+#include <rme/tracking/sensing_kind.hpp>
+#include <rme/tracking/star_gaussian.hpp>
+#include <rme/tracking/story.hpp>
+
+namespace rme {
+
+/// A child that a story may have.
+struct Transition {
+  Mode mode = Mode::Empty;            ///< of the child
+  double probability = 0;             ///< given the story
+  bool goes_on = false;               ///< nothing begins or ends
+  Disturbing how = Disturbing::Hand;  ///< of Mode::Disturbed
+  bool quick = false;                 ///< of Mode::Pouring: it is taken up quickly
+  bool anew = false;                  ///< of Mode::Held: a payload is drawn from the prior
+  bool late = false;                  ///< of such a payload: the change has shown that the observer is not as stated
+};
+
+/// The transitions of a story, with their probabilities per block (docs/theory.md, "Stories" and "Numbers"). While a
+/// block is explained without them, most are left out; slow ones take place in every kSlow-th block.
+struct Transitions {
+  static constexpr double kDisturbs = 1e-3;     ///< something begins to push
+  static constexpr double kPours = 6e-4;        ///< something begins to flow into or out of what is held
+  static constexpr double kFills = 1.2e-4;      ///< the same of an empty hand
+  static constexpr double kLeaves = 0.3;        ///< the hand is empty at once, relative to SensingKind::change
+  static constexpr double kPourEnds = 4e-3;     ///< a pour ends
+  static constexpr double kQuickEnds = 0.03;    ///< what is taken up slowly is taken up
+  static constexpr double kSettles = 0.25;      ///< a change ends in a new payload
+  static constexpr double kEmpties = 0.1;       ///< a change ends in an empty hand
+  static constexpr double kDisturbEnds = 0.02;  ///< a push ends
+  static constexpr double kTouchEnds = 0.01;    ///< a wrench that stays or grows along itself ends
+  static constexpr double kJoltEnds = 0.25;     ///< a jolt ends
+  static constexpr double kOther = 0.02;        ///< a wrench changes in another way from now on
+  static constexpr double kTurnsOut = 0.01;     ///< a disturbance turns out to be a change, or the other way round
+  static constexpr double kIsLate = 0.01;       ///< a change shows that the observer is not as stated
+  /// Standard deviation of the lag then [s]. An observer of 50 rad/s that is in truth half or twice as fast has a lag of
+  /// 20 or -10 ms.
+  static constexpr double kLate = 0.015;
+  static constexpr int kSlow = 5;  ///< blocks from one slow transition to the next
+  static constexpr int kMost = 8;  ///< most transitions of one story
+
+  /// Calls use(transition) for each transition of a story.
+  /// @param story      the parent
+  /// @param kind       of torque sensing
+  /// @param block      number of the block
+  /// @param explained  whether one story in which nothing happens explains the block
+  /// @param use        callable (const Transition&)
+  template <typename Scalar, int Dofs, typename Use>
+  static void each(const Story<Scalar, Dofs>& story, const SensingKind& kind, long block, bool explained,
+                   const Use& use) noexcept {
+    const double change = kind.change;
+    const bool slow = block % kSlow == 0;
+    const auto to = [&](Mode mode, double probability) {
+      Transition t;
+      t.mode = mode;
+      t.probability = probability;
+      return t;
+    };
+    const auto goes_on = [&](double probability) {
+      Transition t = to(story.mode, probability);
+      t.how = story.how;
+      t.quick = story.quick;
+      t.goes_on = true;
+      use(t);
+    };
+    const auto disturbed = [&](double probability, Disturbing how) {
+      Transition t = to(Mode::Disturbed, probability);
+      t.how = how;
+      use(t);
+    };
+    switch (story.mode) {
+      case Mode::Empty:
+      case Mode::Held: {
+        const bool empty = story.mode == Mode::Empty;
+        const double pours = (empty ? kFills : kPours) * kind.slowly, takes_up = empty ? kind.takes_up : 0;
+        const double leaves = empty ? 0 : kLeaves * change;
+        goes_on(1 - change - leaves - kDisturbs - kind.jolt - pours - takes_up);
+        if (takes_up > 0) {
+          Transition quickly = to(Mode::Pouring, takes_up);
+          quickly.quick = true;
+          use(quickly);
+        }
+        if (!explained) {
+          use(to(Mode::Changing, change));
+          if (!empty) use(to(Mode::Empty, leaves));
+          disturbed(kDisturbs, Disturbing::Hand);
+          disturbed(kind.jolt, Disturbing::Jolt);
+        }
+        if (slow) use(to(Mode::Pouring, pours * kSlow));
+        break;
+      }
+      case Mode::Pouring: {
+        const double ends = story.quick ? kQuickEnds : kPourEnds;
+        goes_on(1 - ends - change - kDisturbs - kind.jolt);
+        if (!explained || story.quick)
+          use(to(Mode::Held, ends));
+        else if (slow)
+          use(to(Mode::Held, ends * kSlow));
+        if (explained) break;
+        use(to(Mode::Changing, change));
+        disturbed(kDisturbs, Disturbing::Hand);
+        disturbed(kind.jolt, Disturbing::Jolt);
+        break;
+      }
+      case Mode::Changing: {
+        const bool may_be_late = kind.lag > 0 && story.star.variance(kLag) < Scalar(kLate * kLate);
+        const double empties = story.payload != 0 ? kEmpties : 0;
+        goes_on(1 - kSettles - empties - kTurnsOut);
+        disturbed(kTurnsOut, Disturbing::Hand);
+        Transition drawn = to(Mode::Held, kSettles * (may_be_late ? 1 - kIsLate : 1));
+        drawn.anew = true;
+        use(drawn);
+        if (may_be_late) {
+          drawn.probability = kSettles * kIsLate;
+          drawn.late = true;
+          use(drawn);
+        }
+        if (empties > 0) use(to(Mode::Empty, empties));
+        break;
+      }
+      case Mode::Disturbed: {
+        const bool jolt = story.how == Disturbing::Jolt;
+        const bool soft = story.how == Disturbing::Growing || story.how == Disturbing::Still;
+        const double ends = jolt ? kJoltEnds : soft ? kTouchEnds : kDisturbEnds;
+        const double turns_out = (soft ? 0.3 : 1) * kTurnsOut * std::min(1.0, change / 1e-3);
+        const auto other = [&](Disturbing how) {  // a jolt does not become a push
+          return jolt || how == story.how ? 0 : how == Disturbing::Hand ? kOther : kOther * kind.slowly;
+        };
+        goes_on(1 - ends - turns_out - other(Disturbing::Hand) - other(Disturbing::Growing) - other(Disturbing::Still));
+        use(to(story.payload == 0 ? Mode::Empty : Mode::Held, ends));
+        use(to(Mode::Changing, turns_out));
+        for (const Disturbing how : {Disturbing::Hand, Disturbing::Growing, Disturbing::Still})
+          if (other(how) > 0) disturbed(other(how), how);
+        break;
+      }
+    }
+  }
+};
+
+}  // namespace rme
