@@ -1,5 +1,7 @@
 #include <cmath>
 #include <rme/host/runtime_payload_compensation.hpp>
+#include <string>
+#include <utility>
 
 #include "support/any_joints.hpp"
 #include "support/catch.hpp"
@@ -93,9 +95,12 @@ TEST_CASE("RuntimePayloadCompensation: what does not fit is refused", "[host]") 
   CHECK(payload.update(tau, J, Matrix3<double>::Zero(), tau) == Status::NotARotation);
   CHECK(payload.state().time == 0.001);
   CHECK_THROWS_WITH(Runtime(3, 0.001), contains("RuntimePayloadCompensation::joints: expected 4 to 8, got 3"));
-  for (const char* field : {"torque_rate", "torque_bound", "levers"}) {
-    Runtime::Config config;
-    (field[7] == 'r' ? config.torque_rate : field[0] == 'l' ? config.levers : config.torque_bound) = seven;
+  using Config = Runtime::Config;
+  for (const auto& [field, member] :
+       {std::pair("torque_rate", &Config::torque_rate), std::pair("torque_bound", &Config::torque_bound),
+        std::pair("levers", &Config::levers)}) {
+    Config config;
+    config.*member = seven;
     CHECK_THROWS_WITH(Runtime(6, 0.001, config), contains(std::string("PayloadCompensationConfig::") + field +
                                                           ": expected 6 numbers, one per joint, got 7"));
   }
