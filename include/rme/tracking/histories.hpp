@@ -311,10 +311,13 @@ class Histories {
       evidence_ = Scalar(0);
       return;
     }
-    std::array<int, at(Capacity)> order{};
-    for (int i = 0; i < children_; ++i) order[at(i)] = i;
-    std::sort(order.begin(), order.begin() + children_,
-              [this](int a, int b) { return next(a).log_weight > next(b).log_weight; });
+    std::array<int, at(Capacity)> order{};  // by weight, the heaviest first: inserted one by one, they are few
+    for (int i = 0; i < children_; ++i) {
+      int place = i;
+      for (; place > 0 && next(order[at(place - 1)]).log_weight < next(i).log_weight; --place)
+        order[at(place)] = order[at(place - 1)];
+      order[at(place)] = i;
+    }
     innovation_squared_ = settled_squared_ > 0 ? settled_squared_ : squared_[at(order[0])];
     Scalar total = Scalar(0);
     const Scalar best = next(order[0]).log_weight, depth = this->depth();
