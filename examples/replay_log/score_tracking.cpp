@@ -116,9 +116,9 @@ Score score(const Log<7>& log, const std::string& scenario, double attach, const
     return log.truth[static_cast<std::size_t>(std::max<std::ptrdiff_t>(row - 1, 0))];
   };
   const auto belief = [&](double t) -> const Belief& {
-    const auto after = std::upper_bound(beliefs.begin(), beliefs.end(), t + 1e-9,
+    const auto later = std::upper_bound(beliefs.begin(), beliefs.end(), t + 1e-9,
                                         [](double time, const Belief& b) { return time < b.t; });
-    return *(after - 1);
+    return *(later - 1);
   };
   const std::map<char, std::pair<double, double>> windows = {{'A', {attach + after, attach + after}},
                                                              {'B', {attach + after, attach + after}},
