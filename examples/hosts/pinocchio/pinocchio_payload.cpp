@@ -105,8 +105,8 @@ template <int Dofs>
 int run(Arguments& arguments, const std::vector<std::string>& joints, const std::string& urdf) {
   const auto frame = arguments.text("--frame");
   if (!frame) throw ArgumentError("--frame: missing");
-  rme::EstimatorConfig<double, Dofs> config;
-  if (const auto settings = arguments.text("--settings")) config = hosts::read_settings<Dofs>(*settings);
+  const auto settings = arguments.text("--settings");
+  auto config = settings ? hosts::read_settings<Dofs>(*settings) : rme::EstimatorConfig<double, Dofs>();
   if (const auto mass = arguments.number("--rated-payload")) config.rated_payload = *mass;
   rme::JointVector<double, Dofs> gains = rme::JointVector<double, Dofs>::Ones();
   if (const auto given = arguments.numbers("--gains", Dofs))
