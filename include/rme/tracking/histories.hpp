@@ -181,7 +181,6 @@ class Histories {
   static constexpr double kSurprise = 2;        // innovation squared per joint from which a block is explained badly
   static constexpr double kHeldAtStart = 0.03;  // probability that something is held at the start
 
-  static constexpr double kFall = 80;      // no child falls behind by more than this in a block [nats]
   static constexpr double kPourDepth = 8;  // log odds at which a pour is given up while nothing happens [nats]
   static constexpr int kPlans = Transitions::kMost * Capacity;
 
