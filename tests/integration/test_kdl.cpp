@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
-#include <real_arms/kdl_wrench.hpp>
+#include <rivals/kdl_wrench.hpp>
 #include <replay_log/estimators.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <string>
