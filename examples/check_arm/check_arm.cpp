@@ -1,4 +1,4 @@
-// check_arm: analyses an arm's torque with an empty hand, and finds the lightest payload that it can show.
+// check_arm: analyses an arm's torque with an empty hand, and promises how well payloads will be estimated.
 //
 // Reads logs in replay_log's format in which the hand is empty. Prints noise, offset, friction and what is left, joint
 // by joint; whether sign, units and frames can be right; what the estimator finds in the logs with the settings that

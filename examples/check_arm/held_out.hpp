@@ -21,7 +21,7 @@ struct LogPath {
 };
 
 /// A part of the logs, and the rest of them on another path: each pose of the rest differs from each pose of the part by
-/// kOtherPath or more in some joint.
+/// kOtherPath or more in some joint, to within the 0.02 rad in which a path is looked at.
 struct HeldOut {
   std::vector<LogSpan> part, rest;
 };

@@ -80,69 +80,75 @@ EstimatorConfig<double, Dofs> widened(EstimatorConfig<double, Dofs> config, doub
   return config;
 }
 
-/// Plays a log of the empty hand, and from `begin` to `end` [s] attaches payloads of each mass at instants that are
-/// evenly spread, each to a copy of the estimator at that instant. Adds the results to `test`.
+/// Attaches payloads of each mass to a log of the empty hand at instants that are evenly spread from `begin` to `end` [s],
+/// each to an estimator that was started five seconds earlier; and plays the log from `begin` to `end` as it is. Adds the
+/// results to `test`.
 /// @param samples   of the log
 /// @param instants  number of instants
 /// @param random    draws centres of mass: within 8 cm across, and up to 20 cm along the z axis of the tip
 template <int Dofs>
 void rehearse(const Log<Dofs>& log, const Samples<Dofs>& samples, const ArmSettings<Dofs>& settings, double begin,
               double end, int instants, std::mt19937_64& random, HeldOutTest& test) {
-  constexpr double kWarm = 1, kMoves = 0.02, kSlowest = 0.1;  // [s], [rad/s], [s]
-  end = std::min(end, log.t.back());
+  constexpr double kWarm = 1, kBefore = 5, kLater = 0.1, kMoves = 0.02, kSlowest = 0.1;  // [s], ..., [rad/s], [s]
   EstimatorConfig<double, Dofs> config = settings.config;
   config.observer_bandwidth = samples.bandwidth;
   config.torque_sign = samples.sign;
-  const auto estimator = std::make_unique<Estimator<double, Dofs>>(std::min(samples.timing.period, kSlowest), config);
-  const auto copy = std::make_unique<Estimator<double, Dofs>>(*estimator);
   const auto motion = motion_of(log, samples);
-  // The longest time fits in for as many instants as possible, at least for the first of a short part.
-  const double first = std::max(begin, log.t.front() + kWarm),
-               last = std::max(end - kAfter.back(), 0.5 * (first + end));
-  const double step = (last - first) / std::max(1, instants - 1);
+  const auto fresh = std::make_unique<const Estimator<double, Dofs>>(std::min(samples.timing.period, kSlowest), config);
+  const auto estimator = std::make_unique<Estimator<double, Dofs>>(*fresh);
+  const auto copy = std::make_unique<Estimator<double, Dofs>>(*fresh);
   const auto uniform = [&random](double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(random);
   };
-  double next = first;
+  const auto time_of = [&](std::size_t k) { return log.t[samples.row[k]]; };
+  const auto attach = [&](std::size_t share, double t) {
+    Payload<double> payload;
+    payload.mass = kShares[share] * settings.config.rated_payload;
+    for (int i = 0; i < 2; ++i) payload.com[i] = uniform(-0.08, 0.08);
+    payload.com[2] = uniform(0, 0.2);
+    const double radius = uniform(0.015, 0.04);  // of gyration: boxes of 4 to 10 cm
+    const Injected injection{
+        t, InertialParameters<double>::of_body(payload, payload.mass * radius * radius * Eigen::Matrix3d::Identity())};
+    const Samples<Dofs> loaded = injected(log, samples, motion, settings.arm.model.gravity_vector, injection, t,
+                                          std::min(end, t + kAfter.back() + kLater));
+    Trial trial{t, share, payload.mass, {}};
+    double moved = 0;
+    for (std::size_t i = 0; i < loaded.sample.size() && trial.answers.size() < kAfter.size(); ++i) {
+      const double since = log.t[loaded.row[i]] - t;
+      if (since >= kAfter[trial.answers.size()]) {
+        const auto& state = copy->state();
+        trial.answers.push_back({trial.answers.size(), moved > 0.5 * since, !state.empty(),
+                                 state.payload.mean[0] - payload.mass, state.payload.standard_deviation()[0],
+                                 (state.payload.mean.template tail<3>() - payload.com).norm()});
+      }
+      if (loaded.sample[i].dq.cwiseAbs().maxCoeff() > kMoves) moved += loaded.sample[i].period;
+      static_cast<void>(copy->update(loaded.sample[i]));  // a sample that is refused does not count
+    }
+    test.trials.push_back(trial);
+  };
+
+  // Five seconds fit in for as many instants as possible, at least for the first half of a short part.
+  const double first = std::max(begin, log.t.front() + kWarm);
+  const double last = std::max(end - kAfter.back() - kLater, 0.5 * (first + end));
+  for (int i = 0; i < instants; ++i) {
+    const double t = first + (last - first) * i / std::max(1, instants - 1);
+    *estimator = *fresh;
+    for (std::size_t k = 0; k < samples.sample.size() && time_of(k) < t; ++k)
+      if (time_of(k) >= t - kBefore) static_cast<void>(estimator->update(samples.sample[k]));
+    for (std::size_t share = 0; share < kShares.size(); ++share) {
+      *copy = *estimator;
+      attach(share, t);
+    }
+  }
+
+  *estimator = *fresh;
   int events = 0;
   for (std::size_t k = 0; k < samples.sample.size(); ++k) {
-    const double t = log.t[samples.row[k]];
-    if (t >= end) break;
-    if (t >= next && t <= last + 1e-9) {
-      next = step > 0 ? next + step : end;
-      for (std::size_t share = 0; share < kShares.size(); ++share) {
-        Payload<double> payload;
-        payload.mass = kShares[share] * settings.config.rated_payload;
-        for (int i = 0; i < 2; ++i) payload.com[i] = uniform(-0.08, 0.08);
-        payload.com[2] = uniform(0, 0.2);
-        const double radius = uniform(0.015, 0.04);  // of gyration: boxes of 4 to 10 cm
-        const Injected injection{t, InertialParameters<double>::of_body(
-                                        payload, payload.mass * radius * radius * Eigen::Matrix3d::Identity())};
-        const Samples<Dofs> loaded = injected(log, samples, motion, settings.arm.model.gravity_vector, injection, t,
-                                              std::min(end, t + kAfter.back() + 0.1));
-        Trial trial{t, share, payload.mass, {}};
-        *copy = *estimator;
-        double moved = 0;
-        for (std::size_t i = 0; i < loaded.sample.size() && trial.answers.size() < kAfter.size(); ++i) {
-          const double since = log.t[loaded.row[i]] - t;
-          if (since >= kAfter[trial.answers.size()]) {
-            const auto& state = copy->state();
-            trial.answers.push_back({trial.answers.size(), moved > 0.5 * since, !state.empty(),
-                                     state.payload.mean[0] - payload.mass, state.payload.standard_deviation()[0],
-                                     (state.payload.mean.template tail<3>() - payload.com).norm()});
-          }
-          if (loaded.sample[i].dq.cwiseAbs().maxCoeff() > kMoves) moved += loaded.sample[i].period;
-          static_cast<void>(copy->update(loaded.sample[i]));  // a sample that is refused does not count
-        }
-        test.trials.push_back(trial);
-      }
-    }
+    if (time_of(k) < begin || time_of(k) >= end) continue;
     static_cast<void>(estimator->update(samples.sample[k]));
     const auto& state = estimator->state();
-    const bool over = state.event.number > events;
+    if (state.event.number > events && state.event.kind == EventKind::Attached) ++test.false_payloads;
     events = state.event.number;
-    if (t < begin) continue;
-    if (over && state.event.kind == EventKind::Attached) ++test.false_payloads;
     if (state.held > 0.9) test.largest_mass = std::max(test.largest_mass, state.payload.mean[0]);
   }
   test.seconds += end - begin;

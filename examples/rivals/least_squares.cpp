@@ -38,9 +38,9 @@ Tare Tare::none(Eigen::Index joints) {
 }
 
 Tare Tare::of(const LogBlocks& empty) {
-  constexpr double kRests = 1e-3;            // weight of a block in which the joint rests
-  constexpr double kLeast = 1e-4;            // least deviation of what is left [N m]
-  const Eigen::Vector3d ridge(1e-6, 1, 10);  // of offset and friction; the latter only for a joint that hardly moves
+  constexpr double kRests = 1e-3;                 // weight of a block in which the joint rests
+  constexpr double kLeast = 1e-4;                 // least deviation of what is left [N m]
+  const Eigen::Vector3d ridge(1e-6, 1e-2, 1e-2);  // of offset and friction; the latter's is for a joint that rests
   Tare out = none(empty.joints());
   for (Eigen::Index j = 0; j < empty.joints(); ++j) {
     RecursiveLeastSquares fit(ridge, 0);

@@ -46,8 +46,11 @@ class ObserverMatchedLeastSquares {
     known_ += blend * (known - known_);
     torque_ += (filtered ? 1 : blend) * (sample.tau_ext - torque_);
     started_ = true;
+    running_ += period;
     fit_.age(period);
-    fit_.add(regressor_, torque_ - known_, period * weight);
+    // Before that, the torque shows what the filter started with, which is not known.
+    if (running_ > kSettles / (filtered ? bandwidth_ : kBandwidth))
+      fit_.add(regressor_, torque_ - known_, period * weight);
   }
   /// phi.
   InertialVector<double> solution() const { return fit_.solution(); }
@@ -55,6 +58,7 @@ class ObserverMatchedLeastSquares {
  private:
   using Regressor = Eigen::Matrix<double, Dofs, kInertial>;
   static constexpr double kBandwidth = 50;  // [rad/s]
+  static constexpr double kSettles = 7;     // time constants until a filter has forgotten all but a thousandth
 
   static Eigen::VectorXd ridge(double rated) {
     constexpr double kLever = 0.2, kShare = 1e-4;  // [m]; of what a second of samples weighs
@@ -68,6 +72,7 @@ class ObserverMatchedLeastSquares {
   double bandwidth_;
   RecursiveLeastSquares fit_;
   bool started_ = false;
+  double running_ = 0;  // [s]
   Vector6<double> twist_ = Vector6<double>::Zero();
   Regressor regressor_ = Regressor::Zero();
   JointVector<double, Dofs> known_ = JointVector<double, Dofs>::Zero(), torque_ = JointVector<double, Dofs>::Zero();
