@@ -137,7 +137,7 @@ int run(Arguments& arguments, const ArmRequest& request) {
 
   const Log<Dofs> life = before ? joined(*before, log) : log;
   const double begin = life.t.back() - (log.t.back() - log.t.front());
-  Rival rme{"rme", {}};
+  Rival ours{"rme", {}};
   ReplayOptions<Dofs> options;
   options.arm = settings.arm;
   options.estimator = settings.config;
@@ -145,17 +145,17 @@ int run(Arguments& arguments, const ArmRequest& request) {
       life, loaded(life, samples_of(life, settings.arm, settings.config), settings.arm, added, begin), options,
       [&](const ReplayedEstimate& e) {
         if (e.t >= begin)
-          rme.masses.push_back(
+          ours.masses.push_back(
               {e.t - begin + log.t.front(), e.state.payload.mean[0], e.state.payload.standard_deviation()[0]});
       },
       [](const ReplayedPush&) {});
-  if (rme.masses.empty()) throw LogError(log.name + ": no sample of it can be used");
+  if (ours.masses.empty()) throw LogError(log.name + ": no sample of it can be used");
 
   const Samples<Dofs> samples =
       loaded(log, samples_of(log, settings.arm, settings.config), settings.arm, added, log.t.front());
   std::vector<Rival> methods =
       run_rivals<Dofs>({log, samples, settings, known ? &*known : nullptr, network ? &*network : nullptr, added > 0});
-  methods.insert(methods.begin(), rme);
+  methods.insert(methods.begin(), ours);
   const double moved = moved_for(log, samples, 2);
   std::vector<RunScore> scores;
   for (const Rival& method : methods) scores.push_back(score_run(method.masses, held, log.t.front(), moved));

@@ -200,11 +200,11 @@ int run(Arguments& arguments, const ArmRequest& arm) {
     std::printf("%5s %8s %8s  %16s  %16s  %16s  %16s  %8s\n", "event", "from [s]", "at [s]", "mass [kg]", "x [mm]",
                 "y [mm]", "z [mm]", "took[us]");
   }
-  Rival rme{"rme", {}};
+  Rival ours{"rme", {}};
   std::optional<ReplayedEstimate> last;
   const auto on_estimate = [&](const ReplayedEstimate& e) {
     last = e;
-    rme.masses.push_back({e.t, e.state.payload.mean[0], e.state.payload.standard_deviation()[0]});
+    ours.masses.push_back({e.t, e.state.payload.mean[0], e.state.payload.standard_deviation()[0]});
     if (!json) {
       print_row(e);
       return;
@@ -226,12 +226,12 @@ int run(Arguments& arguments, const ArmRequest& arm) {
     const ArmSettings<Dofs> settings{request.options.arm, request.options.estimator, std::nullopt, false, {}};
     methods = run_rivals<Dofs>(
         {log, samples, settings, empty ? &*empty : nullptr, request.weights ? &*request.weights : nullptr, false});
-    if (!rme.masses.empty()) methods.insert(methods.begin(), rme);
+    if (!ours.masses.empty()) methods.insert(methods.begin(), ours);
   }
   if (json) {
     if (ongoing) std::cout << ongoing_json(*last).dump() << "\n";
     for (const Rival& method : methods)
-      if (method.name != rme.name)
+      if (method.name != ours.name)
         for (const MassAt& at : method.masses)
           std::cout << ordered_json({{"type", "rival"}, {"by", method.name}, {"t", at.t}, {"mass", at.mass}}).dump()
                     << "\n";
