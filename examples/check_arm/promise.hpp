@@ -131,7 +131,7 @@ void rehearse(const Log<Dofs>& log, const Samples<Dofs>& samples, const ArmSetti
   const double first = std::max(begin, log.t.front() + kWarm);
   const double last = std::max(end - kAfter.back() - kLater, 0.5 * (first + end));
   for (int i = 0; i < instants; ++i) {
-    const double t = first + (last - first) * i / std::max(1, instants - 1);
+    const double t = first + (last - first) * (i + 0.5) / instants;
     *estimator = *fresh;
     for (std::size_t k = 0; k < samples.sample.size() && time_of(k) < t; ++k)
       if (time_of(k) >= t - kBefore) static_cast<void>(estimator->update(samples.sample[k]));

@@ -51,8 +51,9 @@ def draw(beliefs, rivals, picture):
         if len(masses) > 1:
             above.plot(*np.array(masses).T, color=colour, linewidth=0.8, label=name)
     touched = np.array([b["probability"]["disturbed"] > TOUCHED for b in beliefs])
-    above.fill_between(t, 0, 1, where=touched, transform=above.get_xaxis_transform(), color=MODES["disturbed"],
-                       alpha=0.15, linewidth=0, label="contact")
+    if touched.any():
+        above.fill_between(t, 0, 1, where=touched, transform=above.get_xaxis_transform(), color=MODES["disturbed"],
+                           alpha=0.15, linewidth=0, label="contact")
     above.set_ylabel("mass [kg]")
     above.set_ylim(0, 1.1 * max(mass.max(), 1e-3))
     above.legend(loc="lower left", bbox_to_anchor=(0, 1), ncol=4, fontsize=8)

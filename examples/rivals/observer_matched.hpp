@@ -61,11 +61,11 @@ class ObserverMatchedLeastSquares {
   static constexpr double kSettles = 7;     // time constants until a filter has forgotten all but a thousandth
 
   static Eigen::VectorXd ridge(double rated) {
-    constexpr double kLever = 0.2, kShare = 1e-4;  // [m]; of what a second of samples weighs
+    constexpr double kLever = 0.2;  // [m]
     const double mass = rated, moment = rated * kLever, inertia = rated * kLever * kLever;
     Eigen::VectorXd usual(kInertial);
     usual << mass, moment, moment, moment, Eigen::VectorXd::Constant(6, inertia);
-    return kShare * usual.cwiseAbs2().cwiseInverse();
+    return usual.cwiseAbs2().cwiseInverse();
   }
 
   Eigen::Vector3d gravity_;

@@ -20,7 +20,7 @@ constexpr double kSilent = std::numeric_limits<double>::quiet_NaN();
 
 inline Rival recursive(const LogBlocks& log, const Tare& tare, double rated) {
   const double mass = 1 / rated, moment = 1 / (0.2 * rated);  // a lever of 0.2 m
-  RecursiveLeastSquares fit(1e-4 * Eigen::Vector4d(mass, moment, moment, moment).cwiseAbs2(), kMemory);
+  RecursiveLeastSquares fit(Eigen::Vector4d(mass, moment, moment, moment).cwiseAbs2(), kMemory);
   const Eigen::MatrixXd torque = log.tau - tare.torque(log);
   Rival out{"recursive least squares", {}};
   for (Eigen::Index i = 0; i < log.blocks(); ++i) {
