@@ -350,6 +350,8 @@ ArmSettings<Dofs> settings_from(const std::vector<Log<Dofs>>& logs, const ArmSet
   return found.settings;
 }
 
+constexpr double kLeastCoverage = 0.8;  // of the 90 % intervals; below that, settings are widened
+
 /// The promise and what it is made from.
 struct Promised {
   HeldOutTest test;
@@ -363,7 +365,7 @@ struct Promised {
 template <int Dofs>
 Promised rehearse(const std::vector<Log<Dofs>>& logs, const std::vector<HeldOut>& parts, const ArmSettings<Dofs>& given,
                   const Decisions& decisions) {
-  constexpr double kLeast = 0.8, kStep = 1.5, kWidest = 8;
+  constexpr double kStep = 1.5, kWidest = 8;
   constexpr int kInstants = 16;  // over all parts' spans
   std::vector<ArmSettings<Dofs>> settings;
   std::size_t spans = 0;
@@ -389,7 +391,7 @@ Promised rehearse(const std::vector<Log<Dofs>>& logs, const std::vector<HeldOut>
     }
     out.promise = promise_of(out.test, given.config.rated_payload);
     if (factor == 1 || out.promise.coverage > best.promise.coverage) best = out;
-    if (best.promise.coverage >= kLeast) break;
+    if (best.promise.coverage >= kLeastCoverage) break;
   }
   return best;
 }
@@ -427,8 +429,9 @@ void print(const Promised& promised) {
         "noise, offset and residual in the settings are %.2g times what the logs show, since intervals held too "
         "seldom\n",
         promised.widening);
-  if (promise.coverage < 0.8)
-    std::printf("no such widening makes the intervals hold in 80 %%: do not trust them on this arm\n");
+  if (promise.coverage < kLeastCoverage)
+    std::printf("no such widening makes the intervals hold in %.0f %%: do not trust them on this arm\n",
+                100 * kLeastCoverage);
 }
 
 template <int Dofs>
