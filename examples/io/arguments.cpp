@@ -12,9 +12,9 @@ namespace rme::examples {
 
 namespace {
 
-/// "-1" is a value, "--at" and "-h" are not.
+/// "-1" and "-9.81,0,0" are values, "--at" and "-h" are not.
 bool is_option(const std::string& word) {
-  return word.size() > 1 && word[0] == '-' && !parse_number(word);
+  return word.size() > 1 && word[0] == '-' && !parse_number(word.substr(0, word.find(',')));
 }
 
 std::string expected(std::size_t count, char separator) {
