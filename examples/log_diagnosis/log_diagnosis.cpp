@@ -290,7 +290,7 @@ struct Explanation {
 
 /// How far outside of the limits the joints go, as a number of joints that do so clearly.
 int beyond_limits(const Eigen::MatrixXd& q, const DiagnosedArm& arm) {
-  constexpr double kTolerance = 0.1;  // [rad]
+  constexpr double kTolerance = 0.2;  // [rad]
   int joints = 0;
   for (Eigen::Index j = 0; j < arm.joints(); ++j)
     joints += q.col(j).maxCoeff() > arm.q_max[j] + kTolerance || q.col(j).minCoeff() < arm.q_min[j] - kTolerance;
@@ -310,18 +310,19 @@ class TorqueJudge {
         model_(arm.torque(instants_.motion(), true)) {}
 
   /// The explanation that costs least, if it is a fault.
-  std::optional<Finding> find(std::vector<std::string>& remarks) {
+  std::optional<Finding> find() {
     constexpr double kClear = 8;  // [nats]
     if (instants_.size() < 10) {
-      remarks.push_back("the log is too short to compare its torque with the model");
+      remarks_.push_back("the log is too short to compare its torque with the model");
       return std::nullopt;
     }
-    const FitQuality right = fit_.fit(explained(model_));
+    asis_ = fit_.fit(explained(model_));
+    const FitQuality& right = asis_;
     right_ = right.cost + kBeyond * beyond_limits(instants_.motion().q, arm_);
     const double spread = (model_.gravity.rowwise() - model_.gravity.colwise().mean()).norm() /
                           std::sqrt(static_cast<double>(instants_.size()));
     if (!(spread > 0.02 * model_.gravity.cwiseAbs().maxCoeff()) || !(spread > 0))
-      remarks.push_back("gravity hardly changes in this log: it shows little of the torque's sign, unit and order");
+      remarks_.push_back("gravity hardly changes in this log: it shows little of the torque's sign, unit and order");
     degrees();
     if (log_.measured) {
       gains();
@@ -335,6 +336,8 @@ class TorqueJudge {
     if (!best_ || best_->cost > right_ - kClear) return std::nullopt;
     return best_->finding;
   }
+  /// What the log does not show for certain.
+  const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
   static constexpr double kBeyond = 10;  // what a joint beyond its limits costs [nats]
@@ -349,7 +352,6 @@ class TorqueJudge {
     const bool beyond_too = fault != Fault::Degrees && fault != Fault::PositionSign && fault != Fault::PositionOffset &&
                             fault != Fault::JointOrder;
     if (beyond_too) cost += kBeyond * beyond_limits(instants_.motion().q, arm_);
-    if (std::getenv("RME_TRACE")) std::fprintf(stderr, "  %8.1f %s %s\n", cost - right_, sentence.c_str(), option.c_str());
     if (best_ && best_->cost <= cost) return;
     best_ = Explanation{cost, Finding{fault, sentence, option}};
   }
@@ -364,19 +366,23 @@ class TorqueJudge {
 
   void gains() {
     constexpr double kRelative = 0.12;  // greatest relative deviation of a gain that is known
-    constexpr double kOff = 0.2;        // least |log| of a gain that is off: rough models of good logs reach 0.15
-    constexpr double kSure = 4;         // deviations
-    constexpr double kCommon = 0.12;    // tolerance
+    // Least |log| of a gain that is off, and what friction adds to it. Good logs of rough models reach two thirds of it.
+    constexpr double kOff = 0.15, kOffByFriction = 0.45;
+    // Friction over the model's torque, from which on a gain, or its sign, says nothing.
+    constexpr double kFriction = 0.7, kSignFriction = 2;
+    constexpr double kSure = 4;        // deviations
+    constexpr double kCommon = 0.12;   // tolerance of a gain that all joints have
+    constexpr double kUnit = 0.35;     // tolerance of a unit
     const Explained data = explained(model_);
     const std::vector<GainFit> fits = fit_.fit_gains(data);
     const Eigen::Index n = arm_.joints();
     std::vector<Eigen::Index> known, off;
     for (Eigen::Index j = 0; j < n; ++j) {
       const GainFit& f = fits[static_cast<std::size_t>(j)];
-      if (std::getenv("RME_TRACE")) std::fprintf(stderr, "  gain %ld: %.3f +- %.3f\n", long(j + 1), f.gain, f.deviation);
       if (!(f.deviation < kRelative * std::abs(f.gain))) continue;
+      if (!(f.friction < (f.gain < 0 ? kSignFriction : kFriction))) continue;
       known.push_back(j);
-      const bool wrong = f.gain < 0 || std::abs(std::log(f.gain)) > kOff;
+      const bool wrong = f.gain < 0 || std::abs(std::log(f.gain)) > kOff + kOffByFriction * f.friction;
       if (wrong && std::abs(f.gain - 1) > kSure * f.deviation) off.push_back(j);
     }
     if (off.empty()) return;
@@ -389,38 +395,43 @@ class TorqueJudge {
       return fit_.fit(scaled, parameters).cost;
     };
     // The same for all?
-    const auto common_of = [&](const Eigen::VectorXd& unit) -> std::optional<double> {
+    const auto common_of = [&](const Eigen::VectorXd& unit) {
       std::vector<double> values;
       for (const Eigen::Index j : known) values.push_back(fits[static_cast<std::size_t>(j)].gain / unit[j]);
       std::sort(values.begin(), values.end());
-      const double middle = values[values.size() / 2];
-      for (const double v : values)
-        if (!near(v, middle, kCommon)) return std::nullopt;
-      return values.size() > 1 ? std::optional<double>(middle) : std::nullopt;
+      return values[values.size() / 2];
+    };
+    const auto all_near = [&](const Eigen::VectorXd& unit, double tolerance) {
+      return known.size() > 1 && std::all_of(known.begin(), known.end(), [&](Eigen::Index j) {
+               return near(fits[static_cast<std::size_t>(j)].gain, unit[j], tolerance);
+             });
     };
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n);
-    const auto common = common_of(ones);
-    if (common && near(*common, -1, kOff)) {
+    if (all_near(-ones, kUnit)) {
       offer(cost_of(-ones, 1), Fault::TorqueSign, "the torque has the opposite sign",
             std::string("--torque-sign ") + (given_.external_sign ? "reaction" : "external"));
-    } else if (common && near(std::abs(*common), 1000, kOff)) {
-      const double unit = *common > 0 ? 1e3 : -1e3;
-      offer(cost_of(unit * ones, 1), Fault::TorqueUnit,
-            std::string("the torque is in mN m") + (unit < 0 ? ", with the opposite sign" : ""),
-            advice_.gains(given_.gains / unit));
-    } else if (common) {
-      offer(cost_of(*common * ones, 1), Fault::TorqueUnit,
-            say("all joints' torque is %.3g times what the arm needs", *common), advice_.gains(given_.gains / *common));
+      return;
+    }
+    for (const double milli : {1e3, -1e3}) {
+      if (!all_near(milli * ones, kUnit)) continue;
+      offer(cost_of(milli * ones, 1), Fault::TorqueUnit,
+            std::string("the torque is in mN m") + (milli < 0 ? ", with the opposite sign" : ""),
+            advice_.gains(given_.gains / milli));
+      return;
     }
     if (arm_.tau_max.allFinite() && (arm_.tau_max.array() > 0).all()) {
       for (const auto& [parts, name] : {std::pair<double, const char*>{1000, "thousandths"}, {100, "hundredths"}}) {
         const Eigen::VectorXd unit = parts * arm_.tau_max.cwiseInverse();
-        const auto share = common_of(unit);
-        if (!share || !near(*share, 1, kOff)) continue;
+        if (!all_near(unit, kUnit)) continue;
         offer(cost_of(unit, 1), Fault::TorqueUnit, say("the torque is in %s of the rated torque", name),
               advice_.gains(given_.gains.cwiseQuotient(unit)));
+        return;
       }
     }
+    const double common = common_of(ones);
+    if (all_near(common * ones, kCommon))
+      offer(cost_of(common * ones, 1), Fault::TorqueUnit,
+            say("all joints' torque is %.3g times what the arm needs", common), advice_.gains(given_.gains / common));
     Eigen::VectorXd k = ones;
     std::string sizes;
     for (const Eigen::Index j : off) {
@@ -443,7 +454,6 @@ class TorqueJudge {
     const Eigen::Vector3d found = x, expected = arm_.gravity;
     const double size = found.norm() / expected.norm();
     const double angle = std::acos(std::clamp(found.dot(expected) / (found.norm() * expected.norm()), -1.0, 1.0));
-    if (std::getenv("RME_TRACE")) std::fprintf(stderr, "  gravity %.2f %.2f %.2f, +- %.2f %.2f %.2f: %.1f\n", x[0], x[1], x[2], deviation[0], deviation[1], deviation[2], cost - right_);
     if (size < kNone) {
       offer(cost, Fault::LacksGravity, "tau is without gravity", "--tau-lacks-gravity");
       return;
@@ -490,7 +500,9 @@ class TorqueJudge {
   }
 
   void load() {
-    constexpr double kLight = 0.05;  // of the rated payload
+    // Lightest load, as a share of the rated payload, and what it grows by with friction, as a share of the model's
+    // torque: links of arms whose torque is motor current are known less well.
+    constexpr double kLight = 0.05, kLightByFriction = 0.2, kMostFriction = 0.5;
     constexpr double kSure = 4, kFar = 0.6;  // deviations; [m]
     if (log_.may_hold) return;
     const Explained data = explained(model_);
@@ -500,8 +512,10 @@ class TorqueJudge {
     Eigen::VectorXd x, deviation;
     const double cost = fit_.fit_shared(data, shared, x, deviation).cost;
     const double m = std::abs(x[0]);
-    if (std::getenv("RME_TRACE")) std::fprintf(stderr, "  load %.3f +- %.3f at %.3f %.3f %.3f: %.1f\n", x[0], deviation[0], x[1]/x[0], x[2]/x[0], x[3]/x[0], cost - right_);
-    if (m < kLight * arm_.rated_payload || m < kSure * deviation[0]) return;
+    const double spread = (model_.gravity.rowwise() - model_.gravity.colwise().mean()).norm() /
+                          std::sqrt(static_cast<double>(instants_.size()));
+    const double friction = spread > 0 ? std::min(asis_.friction.norm() / spread, kMostFriction) : kMostFriction;
+    if (m < (kLight + kLightByFriction * friction) * arm_.rated_payload || m < kSure * deviation[0]) return;
     if (x[0] < 0 && log_.measured) return;
     const Eigen::Vector3d centre = x.tail<3>() / x[0];
     if (centre.norm() > kFar) return;
@@ -518,26 +532,33 @@ class TorqueJudge {
 
   void delay() {
     constexpr double kStep = 0.005, kMost = 0.1, kLate = 0.008;  // [s]
-    double least = right_, late = 0;
+    constexpr double kClear = 18, kLikely = 8;  // [nats]: filters of motor currents make torque late by 20 ms
+    Explained data = explained(model_);
+    data.friction_error = 0;  // the instants at which friction changes its sign tell
+    const double as_it_is = fit_.fit(data).cost;
+    double least = as_it_is, late = 0;
     for (double d = -kMost; d <= kMost + 1e-9; d += kStep) {
-      const double cost = fit_.fit(explained(model_, instants_.motion(), instants_.torque(d)), 1).cost +
-                          kBeyond * beyond_limits(instants_.motion().q, arm_);
-      if (std::getenv("RME_TRACE")) std::fprintf(stderr, "  delay %.3f: %.2f\n", d, cost - right_);
+      data.tau = instants_.torque(d);
+      const double cost = fit_.fit(data, 1).cost;
       if (cost < least) {
         least = cost;
         late = d;
       }
     }
-    if (std::abs(late) < kLate) return;
-    offer(least - kBeyond * beyond_limits(instants_.motion().q, arm_), Fault::Delay,
-          say("the torque is %.0f ms %s than q", 1e3 * std::abs(late), late > 0 ? "later" : "earlier"),
-          say("--torque-delay %.3f", late));
+    if (std::abs(late) < kLate || least > as_it_is - kLikely) return;
+    const std::string what = say("%.0f ms %s than q", 1e3 * std::abs(late), late > 0 ? "later" : "earlier");
+    const std::string option = say("--torque-delay %.3f", late);
+    if (least > as_it_is - kClear)
+      remarks_.push_back("the torque may be " + what + ": " + option);
+    else
+      offer(right_ - kBeyond * beyond_limits(instants_.motion().q, arm_) + least - as_it_is, Fault::Delay,
+            "the torque is " + what, option);
   }
 
   /// Orders, signs and zeros of the joints: from the log as it is, changes that help most are made one after another.
   void joint_maps() {
     constexpr int kChanges = 3;
-    constexpr double kHelps = 5;  // [nats]
+    constexpr double kHelps = 15;  // [nats]: there are many candidates
     const Eigen::Index n = arm_.joints();
     JointMap best(n);
     double cost = right_;
@@ -673,13 +694,15 @@ class TorqueJudge {
   TorqueFit fit_;
   Eigen::MatrixXd tau_;
   ModelTorque model_;
+  FitQuality asis_;
   double right_ = 0;  // cost of nothing being wrong
   std::optional<Explanation> best_;
+  std::vector<std::string> remarks_;
 };
 
 /// Joints beyond the URDF's limits.
 void judge_limits(const DiagnosedLog& log, const DiagnosedArm& arm, std::vector<Finding>& findings) {
-  constexpr double kTolerance = 0.05, kTorque = 1.1, kShare = 0.005;  // [rad]; of the limit; of the rows
+  constexpr double kTolerance = 0.2, kTorque = 1.1, kShare = 0.005;  // [rad]; of the limit; of the rows
   const auto many = [&](Eigen::Index count) {
     return static_cast<double>(count) > kShare * static_cast<double>(log.t.size());
   };
@@ -725,7 +748,7 @@ Diagnosis diagnose(const DiagnosedLog& given_log, const DiagnosedArm& arm, const
   if (log.t.back() - log.t.front() < 1)
     throw LogError(log.name + ": lasts " + std::to_string(log.t.back() - log.t.front()) + " s; at least 1 is needed");
   TorqueJudge judge(log, arm, given, advice);
-  if (const auto found = judge.find(out.remarks)) out.findings.push_back(*found);
+  if (const auto found = judge.find()) out.findings.push_back(*found);
   const bool explained = std::any_of(out.findings.begin(), out.findings.end(), [](const Finding& f) {
     return f.fault != Fault::Load && f.fault != Fault::Delay && f.fault != Fault::Gravity;
   });

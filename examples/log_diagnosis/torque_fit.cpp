@@ -85,24 +85,37 @@ double mean_square(const Eigen::VectorXd& left, const Eigen::VectorXd& w) {
   return w.dot(left.cwiseMax(-bound).cwiseMin(bound).cwiseAbs2()) / w.sum();
 }
 
-double floor_of(const Eigen::VectorXd& tau) {
-  return kFloor * kFloor * tau.squaredNorm() / static_cast<double>(tau.size()) + 1e-12;
+double mean_square(const Eigen::VectorXd& v) {
+  return v.squaredNorm() / static_cast<double>(v.size());
+}
+
+Eigen::VectorXd friction_of(const Columns& columns, const Eigen::VectorXd& x) {
+  return x[1] * columns.of[1] + x[2] * columns.of[2] + x[3] * columns.of[3];
+}
+
+/// Least mean square of the error: no model is better.
+double floor_of(const Eigen::VectorXd& tau, const Eigen::VectorXd& friction) {
+  return kFloor * kFloor * mean_square(tau) + mean_square(friction) + 1e-12;
 }
 
 }  // namespace
 
-TorqueFit::TorqueFit(double duration) : samples_(std::clamp(duration / kCorrelated, 10.0, 200.0)) {}
+TorqueFit::TorqueFit(double duration) : samples_(std::clamp(duration / kCorrelated, 10.0, 60.0)) {}
 
 FitQuality TorqueFit::fit(const Explained& data, int parameters) const {
   FitQuality out;
   out.left.resize(data.tau.cols());
+  out.friction.resize(data.tau.cols());
   out.cost = 0.5 * parameters * std::log(samples_);
   for (Eigen::Index j = 0; j < data.tau.cols(); ++j) {
     const Eigen::VectorXd w = weights(data, j);
-    const Solution found = least_squares(own(data, j), data.tau.col(j) - data.base.col(j), w);
+    const Columns columns = own(data, j);
+    const Solution found = least_squares(columns, data.tau.col(j) - data.base.col(j), w);
+    const Eigen::VectorXd friction = friction_of(columns, found.x);
+    out.friction[j] = std::sqrt(mean_square(friction));
     const double square = mean_square(found.left, w);
     out.left[j] = std::sqrt(square);
-    out.cost += 0.5 * samples_ * std::log(square + floor_of(data.tau.col(j)));
+    out.cost += 0.5 * samples_ * std::log(square + floor_of(data.tau.col(j), data.friction_error * friction));
   }
   return out;
 }
@@ -123,7 +136,7 @@ FitQuality TorqueFit::fit_shared(const Explained& data, const std::vector<Eigen:
       std::vector<Eigen::VectorXd> projected;
       for (const Eigen::MatrixXd& column : shared) projected.push_back(least_squares(nuisance, column.col(j), w).left);
       const Eigen::VectorXd y = data.tau.col(j) - data.base.col(j);
-      const double precision = 1 / (out.left[j] * out.left[j] + floor_of(data.tau.col(j))) / w.sum();
+      const double precision = 1 / (out.left[j] * out.left[j] + std::pow(data.friction_error * out.friction[j], 2) + 1e-12) / w.sum();
       for (Eigen::Index i = 0; i < n; ++i) {
         const Eigen::VectorXd weighted = w.cwiseProduct(projected[static_cast<std::size_t>(i)]);
         for (Eigen::Index k = 0; k < n; ++k)
@@ -156,8 +169,11 @@ std::vector<GainFit> TorqueFit::fit_gains(const Explained& data) const {
       if (sign < 0 && !(square < least)) continue;
       least = square;
       const Eigen::Index last = found.x.size() - 1;
-      const double variance = (square + floor_of(data.tau.col(j))) * w.sum() / samples_;
-      best = {sign * found.x[last], std::sqrt(variance * found.covariance(last, last))};
+      const double gain = found.x[last], spread = (data.base.col(j).array() - data.base.col(j).mean()).matrix().norm();
+      const Eigen::VectorXd friction = friction_of(columns, found.x);
+      const double variance = (square + kFloor * kFloor * mean_square(data.tau.col(j))) * w.sum() / samples_;
+      best = {sign * gain, std::sqrt(variance * found.covariance(last, last)),
+              gain > 0 && spread > 0 ? friction.norm() / (gain * spread) : 1e9};
     }
     out.push_back(best);
   }

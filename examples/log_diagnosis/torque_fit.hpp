@@ -14,20 +14,24 @@ struct Explained {
   Eigen::MatrixXd base;   ///< the model's share, known [N m]
   Eigen::MatrixXd loads;  ///< the model's gravity torque, with which friction may grow [N m]
   bool measured = true;   ///< friction adds to the torque; in external torque it may have either sign
+  double friction_error = 0.25;  ///< least error, as a share of the friction's rms
 };
 
 /// How well something explains the torque.
 struct FitQuality {
   double cost = 0;                ///< negative log likelihood, and what its parameters cost [nats]
   Eigen::VectorXd left;           ///< rms of each joint's torque that is not explained [N m]
+  Eigen::VectorXd friction;       ///< rms of each joint's friction [N m]
 };
 
 /// The factor on the model's share of a joint's torque.
 struct GainFit {
   double gain = 1, deviation = 1e9;  ///< least squares, and its standard deviation
+  double friction = 0;               ///< rms of friction over that of the model's share times the gain
 };
 
-/// Fits with errors that last for half a second.
+/// Fits with errors that last for half a second; and with friction that is known to a quarter, so that a joint whose
+/// torque is mostly friction counts for little.
 class TorqueFit {
  public:
   /// @param duration  of the log [s]
