@@ -1,13 +1,13 @@
 // check_arm: analyses an arm's torque with an empty hand, and finds the lightest payload that it can show.
 //
 // Reads logs in replay_log's format in which the hand is empty. Prints noise, offset, friction and what is left, joint
-// by joint; whether sign, units and frames can be right; the lightest payload that shows within 0.2, 1 and 5 s; and
+// by joint; what is wrong with the logs, and the option that mends it; the lightest payload that shows within 0.2, 1 and 5 s; and
 // what the estimator finds in the same logs with the settings that check_arm makes. With --output it writes these
 // settings (settings.json, for replay_log --config and for Estimator) and the data that plot.py draws. If other masses,
 // centres of mass and inertias of the links explain measured torque much better than those of the URDF, the settings
 // are for the corrected arm, which is written to corrected.urdf. The logs should show the motions that the arm makes at
-// work: each joint in both directions, slowly and fast, with stops. Exit codes: 0; 1 sign, units or frames of the
-// torque do not fit the arm; 2 unusable arguments; 3 unusable log or URDF.
+// work: each joint in both directions, slowly and fast, with stops. Exit codes: 0; 1 something is wrong with a
+// log; 2 unusable arguments; 3 unusable log or URDF.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,6 +22,7 @@
 #include "check_arm/link_correction.hpp"
 #include "check_arm/observer_step.hpp"
 #include "io/program.hpp"
+#include "log_diagnosis/recorded_log.hpp"
 #include "replay_log/options.hpp"
 #include "replay_log/settings_model.hpp"
 
@@ -38,6 +39,24 @@ constexpr const char* kOwnUsage =
 
 constexpr double kWindows[] = {0.2, 1, 5};  // [s]
 
+/// The logs, and how they are read.
+struct Inputs {
+  std::vector<std::string> files;
+  std::optional<std::vector<double>> span;
+  LogFormat format;
+  std::vector<std::string> joints;
+};
+
+template <int Dofs>
+FormattedLog<Dofs> read(const std::string& file, const Inputs& inputs) {
+  FormattedLog<Dofs> out = read_formatted_log<Dofs>(file, inputs.format, inputs.joints);
+  require_external_torque(out.log);
+  if (inputs.span) out.log = cropped(out.log, (*inputs.span)[0], (*inputs.span)[1]);
+  if (out.log.size() < 2) throw LogError(out.log.name + ": has fewer than two rows, which gives no sample rate");
+  require_empty_hand(out.log);
+  return out;
+}
+
 template <int Dofs>
 struct Checked {
   std::vector<Log<Dofs>> logs;
@@ -46,23 +65,18 @@ struct Checked {
 };
 
 template <int Dofs>
-Checked<Dofs> read(const std::vector<std::string>& files, const std::optional<std::vector<double>>& span,
-                   const ArmSettings<Dofs>& settings) {
+Checked<Dofs> read(const Inputs& inputs, const ArmSettings<Dofs>& settings) {
   Checked<Dofs> out;
   double seconds = 0;
-  for (const std::string& file : files) {
-    Log<Dofs> log = read_log<Dofs>(file);
-    require_external_torque(log);
-    if (span) log = cropped(log, (*span)[0], (*span)[1]);
-    if (log.size() < 2) throw LogError(log.name + ": has fewer than two rows, which gives no sample rate");
-    require_empty_hand(log);
+  for (const std::string& file : inputs.files) {
+    const Log<Dofs> log = read<Dofs>(file, inputs).log;
     out.samples.push_back(samples_of(log, settings.arm, settings.config));
     out.blocks.push_back(blocks_of(log, out.samples.back(), settings.arm));
     seconds += out.blocks.back().duration.sum();
     out.logs.push_back(log);
   }
   if (seconds < 5)
-    throw LogError(files.front() + ": 5 s of an empty hand are needed, the logs hold " + std::to_string(seconds));
+    throw LogError(inputs.files.front() + ": 5 s of an empty hand are needed, the logs hold " + std::to_string(seconds));
   return out;
 }
 
@@ -120,38 +134,6 @@ void print(const std::vector<JointFindings>& joints) {
         "estimator does not model\n",
         growing.c_str());
   std::printf("\n");
-}
-
-/// Prints whether sign, units and frames can be right: with an empty hand, the external torque contains no gravity.
-/// @return whether they can
-bool judge_gravity(const std::vector<JointFindings>& joints, bool measured) {
-  constexpr double kFollows = 0.5, kCorrelated = 0.8;
-  bool good = true;
-  int seen = 0;
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const JointFindings& joint = joints[j];
-    if (!joint.gravity_seen) continue;
-    ++seen;
-    if (std::abs(joint.gravity_slope) < kFollows || std::abs(joint.gravity_correlation) < kCorrelated) continue;
-    good = false;
-    // At rest, measured torque gives tau_ext = g - tau. So tau_ext is about g if tau lacks gravity, and about 2 g if
-    // tau has the opposite sign.
-    const char* reason = "another unit (--gains), or another arm";
-    if (measured && joint.gravity_slope > 1.5)
-      reason = "tau seems to have the opposite sign: --torque-sign reaction";
-    else if (measured && joint.gravity_slope > kFollows)
-      reason = "tau seems to be without gravity, which belongs in a column tau_ext, or in amperes (--gains)";
-    else if (!measured)
-      reason = "tau_ext seems to include gravity, which belongs in a column tau";
-    std::printf("joint %zu: the torque follows the model's gravity by %.2f (correlation %.2f): %s\n", j + 1,
-                joint.gravity_slope, joint.gravity_correlation, reason);
-  }
-  if (good && seen > 0)
-    std::printf("sign, units and frames of the torque can be right: no joint follows the model's gravity\n");
-  if (seen == 0)
-    std::printf("gravity hardly changes in these logs: they do not show whether sign, units and frames are right\n");
-  if (!measured) std::printf("the sign of tau_ext does not show here: hang a known weight on the arm\n");
-  return good;
 }
 
 template <int Dofs>
@@ -235,20 +217,17 @@ struct Findings {
   std::vector<JointFindings> joints;
   std::vector<Visibility> seen;
   ArmSettings<Dofs> settings;  ///< the settings that result
-  bool good = true;            ///< sign, units and frames can be right
 };
 
 /// Analyses the logs and prints the results.
 /// @param mass  of the payload for which the error of the centre of mass is printed [kg]
 template <int Dofs>
-Findings<Dofs> check(const std::vector<std::string>& files, const std::optional<std::vector<double>>& span,
-                     const ArmSettings<Dofs>& settings, double mass) {
-  Findings<Dofs> out{read<Dofs>(files, span, settings), {}, {}, settings, true};
+Findings<Dofs> check(const Inputs& inputs, const ArmSettings<Dofs>& settings, double mass) {
+  Findings<Dofs> out{read<Dofs>(inputs, settings), {}, {}, settings};
   const Checked<Dofs>& checked = out.checked;
   out.joints = find_joints(checked.blocks);
   print(out.joints);
   const bool measured = checked.logs.front().tau_ext.empty();
-  out.good = judge_gravity(out.joints, measured);
   if (!measured) {
     double fastest = 0;
     for (std::size_t k = 0; k < checked.logs.size(); ++k)
@@ -286,6 +265,27 @@ Findings<Dofs> check(const std::vector<std::string>& files, const std::optional<
   if (false_mass > 0)
     std::printf("an empty hand was taken to hold up to %.3f kg: trust no lighter payload\n", false_mass);
   return out;
+}
+
+/// Prints how the logs were read, and what is wrong with them.
+/// @param mending  the options that mend the first log with which something is wrong
+/// @return whether they can be used
+template <int Dofs>
+bool judge_logs(const Inputs& inputs, const ArmSettings<Dofs>& settings, std::string& mending) {
+  bool usable = true;
+  for (const std::string& file : inputs.files) {
+    const FormattedLog<Dofs> log = read<Dofs>(file, inputs);
+    for (const std::string& note : log.notes) std::fprintf(stderr, "check_arm: %s: %s\n", file.c_str(), note.c_str());
+    const Diagnosis diagnosis = diagnose(log, settings.arm, settings.config, inputs.format, false);
+    std::printf("%s: %s\n", file.c_str(), diagnosis.sentence().c_str());
+    for (const std::string& remark : diagnosis.remarks) std::printf("%s: %s\n", file.c_str(), remark.c_str());
+    if (!log.log.tau_ext.empty() && diagnosis.usable())
+      std::printf("the sign of tau_ext does not show here: hang a known weight on the arm\n");
+    if (usable) mending = diagnosis.options();
+    usable = usable && diagnosis.usable();
+  }
+  std::printf("\n");
+  return usable;
 }
 
 /// Tests whether other links and rotors explain the logs much better, and prints the result. If so, writes them to
@@ -364,22 +364,30 @@ int run(Arguments& arguments, const ArmRequest& request) {
   if (!(mass > 0)) throw ArgumentError("--mass: must be above 0 kg");
   const bool keep_links = arguments.flag("--keep-links");
   const auto folder = arguments.text("--output");
-  std::vector<std::string> files;
-  do files.push_back(arguments.positional("LOG.csv"));
+  Inputs inputs{{}, span, parse_format(arguments), joint_names(request)};
+  do inputs.files.push_back(arguments.positional("LOG.csv"));
   while (!arguments.empty());
   for (const std::string& note : settings.notes) std::fprintf(stderr, "check_arm: %s\n", note.c_str());
   std::printf("%s, %d joints, rated for %.3g kg\n\n", settings.arm.model.name.c_str(), Dofs,
               settings.config.rated_payload);
-  Findings<Dofs> found = check<Dofs>(files, span, settings, mass);
+  std::string mending;
+  if (!judge_logs<Dofs>(inputs, settings, mending)) {
+    if (mending.empty())
+      std::printf("no option mends this\n");
+    else
+      std::printf("try: check_arm %s\n", arguments.with(mending + (folder ? "" : " --output checked")).c_str());
+    return 1;
+  }
+  Findings<Dofs> found = check<Dofs>(inputs, settings, mass);
   for (std::size_t k = 0; k < found.checked.logs.size(); ++k)
     for (const std::string& note : found.checked.samples[k].timing.notes())
       std::fprintf(stderr, "check_arm: %s: %s\n", found.checked.logs[k].name.c_str(), note.c_str());
-  const bool good = found.good, measured = found.checked.logs.front().tau_ext.empty();
-  if (good && measured && settings.chain && !keep_links) {
+  const bool measured = found.checked.logs.front().tau_ext.empty();
+  if (measured && settings.chain && !keep_links) {
     ArmSettings<Dofs> better = settings;
     const bool links = judge_links<Dofs>(found, settings, better);
     // With wrong links the load is wrong, and friction may only seem to grow with it: fit it again.
-    if (links) found.joints = find_joints(read<Dofs>(files, span, better).blocks);
+    if (links) found.joints = find_joints(read<Dofs>(inputs, better).blocks);
     bool friction = false;
     for (int j = 0; j < Dofs; ++j) {
       const double more = found.joints[static_cast<std::size_t>(j)].coulomb_per_load;
@@ -397,21 +405,22 @@ int run(Arguments& arguments, const ArmRequest& request) {
       std::printf(" friction that takes");
       for (int j = 0; j < Dofs; ++j) std::printf("%s %.3g", j > 0 ? "," : "", better.arm.load_friction[j]);
       std::printf(" of the gravity torque that the arm itself puts on a joint:\n\n");
-      found = check<Dofs>(files, span, better, mass);
+      found = check<Dofs>(inputs, better, mass);
     }
   }
   if (!folder) {
-    std::printf("--output FOLDER writes the settings\n");
-    return good ? 0 : 1;
+    std::printf("--output FOLDER writes the settings, and what examples/check_arm/plot.py FOLDER draws\n");
+    return 0;
   }
   write<Dofs>(*folder, found);
-  std::printf("the settings are in %s/settings.json\n", folder->c_str());
+  std::printf("the settings are in %s/settings.json; python3 examples/check_arm/plot.py %s draws what is beside them\n",
+              folder->c_str(), folder->c_str());
   if (found.settings.corrected)
     std::printf(
         "they belong to the links of %s/corrected.urdf, those rotors and that friction, which --config takes with "
         "them; a controller has to use the same\n",
         folder->c_str());
-  return good ? 0 : 1;
+  return 0;
 }
 
 int run(Arguments& arguments) {
@@ -422,5 +431,5 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("check_arm", std::string(kUsage) + kArmUsage + kSettingsUsage + kOwnUsage, argc, argv, run);
+  return run_program("check_arm", std::string(kUsage) + kArmUsage + kFormatUsage + kSettingsUsage + kOwnUsage, argc, argv, run);
 }

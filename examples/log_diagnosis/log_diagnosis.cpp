@@ -311,7 +311,7 @@ class TorqueJudge {
 
   /// The explanation that costs least, if it is a fault.
   std::optional<Finding> find() {
-    constexpr double kClear = 8;  // [nats]
+    constexpr double kClear = 8, kClearWithLoad = 30;  // [nats]; a load that comes and goes fits nothing well
     if (instants_.size() < 10) {
       remarks_.push_back("the log is too short to compare its torque with the model");
       return std::nullopt;
@@ -319,6 +319,7 @@ class TorqueJudge {
     asis_ = fit_.fit(explained(model_));
     const FitQuality& right = asis_;
     right_ = right.cost + kBeyond * beyond_limits(instants_.motion().q, arm_);
+    load();
     const double spread = (model_.gravity.rowwise() - model_.gravity.colwise().mean()).norm() /
                           std::sqrt(static_cast<double>(instants_.size()));
     if (!(spread > 0.02 * model_.gravity.cwiseAbs().maxCoeff()) || !(spread > 0))
@@ -332,8 +333,7 @@ class TorqueJudge {
     } else {
       contained_gravity();
     }
-    load();
-    if (!best_ || best_->cost > right_ - kClear) return std::nullopt;
+    if (!best_ || best_->cost > right_ - (log_.may_hold ? kClearWithLoad : kClear)) return std::nullopt;
     return best_->finding;
   }
   /// What the log does not show for certain.
@@ -504,13 +504,16 @@ class TorqueJudge {
     // torque: links of arms whose torque is motor current are known less well.
     constexpr double kLight = 0.05, kLightByFriction = 0.2, kMostFriction = 0.5;
     constexpr double kSure = 4, kFar = 0.6;  // deviations; [m]
-    if (log_.may_hold) return;
     const Explained data = explained(model_);
     std::vector<Eigen::MatrixXd> shared(model_.per_load.begin(), model_.per_load.end());
     if (!log_.measured)
       for (Eigen::MatrixXd& m : shared) m *= -1;  // external torque is what the load exerts on the arm
     Eigen::VectorXd x, deviation;
     const double cost = fit_.fit_shared(data, shared, x, deviation).cost;
+    if (log_.may_hold) {
+      right_ = std::min(right_, cost + kBeyond * beyond_limits(instants_.motion().q, arm_));
+      return;
+    }
     const double m = std::abs(x[0]);
     const double spread = (model_.gravity.rowwise() - model_.gravity.colwise().mean()).norm() /
                           std::sqrt(static_cast<double>(instants_.size()));
@@ -532,7 +535,9 @@ class TorqueJudge {
 
   void delay() {
     constexpr double kStep = 0.005, kMost = 0.1, kLate = 0.008;  // [s]
-    constexpr double kClear = 18, kLikely = 8;  // [nats]: filters of motor currents make torque late by 20 ms
+    // What is gained by it [nats]: in all, and of each independent sample. Errors of the model do not average out, and
+    // filters of motor currents make the torque of good logs late by 20 ms.
+    constexpr double kLikely = 8, kClear = 0.4;
     Explained data = explained(model_);
     data.friction_error = 0;  // the instants at which friction changes its sign tell
     const double as_it_is = fit_.fit(data).cost;
@@ -548,7 +553,7 @@ class TorqueJudge {
     if (std::abs(late) < kLate || least > as_it_is - kLikely) return;
     const std::string what = say("%.0f ms %s than q", 1e3 * std::abs(late), late > 0 ? "later" : "earlier");
     const std::string option = say("--torque-delay %.3f", late);
-    if (least > as_it_is - kClear)
+    if (least > as_it_is - kClear * fit_.samples())
       remarks_.push_back("the torque may be " + what + ": " + option);
     else
       offer(right_ - kBeyond * beyond_limits(instants_.motion().q, arm_) + least - as_it_is, Fault::Delay,
@@ -713,7 +718,7 @@ void judge_limits(const DiagnosedLog& log, const DiagnosedArm& arm, std::vector<
                         say("joint %d of q goes from %.2f to %.2f rad, the URDF allows %.2f to %.2f: another zero, "
                             "another order of joints, or another arm's --urdf",
                             static_cast<int>(j + 1), q.minCoeff(), q.maxCoeff(), arm.q_min[j], arm.q_max[j]),
-                        "--urdf"});
+                        ""});
     break;
   }
   for (Eigen::Index j = 0; j < arm.joints(); ++j) {
@@ -723,7 +728,7 @@ void judge_limits(const DiagnosedLog& log, const DiagnosedArm& arm, std::vector<
                         say("the torque of joint %d reaches %.3g N m, the URDF allows %.3g: another unit (--gains), or "
                             "another arm's --urdf",
                             static_cast<int>(j + 1), tau.maxCoeff(), arm.tau_max[j]),
-                        "--gains"});
+                        ""});
     break;
   }
 }
@@ -736,6 +741,27 @@ std::string Diagnosis::sentence() const {
   for (const Finding& finding : findings)
     out += (out.empty() ? "" : "; ") + finding.sentence + (finding.option.empty() ? "" : ": " + finding.option);
   return out;
+}
+
+std::string Diagnosis::options() const {
+  const std::string columns = "--columns '";
+  std::string out, items;
+  for (const Finding& finding : findings) {
+    if (finding.option.empty()) return {};
+    if (finding.option.compare(0, columns.size(), columns) != 0) {
+      out += (out.empty() ? "" : " ") + finding.option;
+      continue;
+    }
+    // One option has the items of all, those that were given already once.
+    const std::size_t quote = finding.option.find('\'', columns.size());
+    const std::string more = finding.option.substr(columns.size(), quote - columns.size());
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < more.size() && i < items.size() && more[i] == items[i]; ++i)
+      if (more[i] == ',') same = i + 1;
+    items += (items.empty() ? "" : ",") + more.substr(same);
+    out += finding.option.substr(quote + 1);
+  }
+  return items.empty() ? out : columns + items + "'" + (out.empty() || out[0] == ' ' ? "" : " ") + out;
 }
 
 Diagnosis diagnose(const DiagnosedLog& given_log, const DiagnosedArm& arm, const GivenOptions& given) {

@@ -92,6 +92,8 @@ struct Diagnosis {
   bool usable() const noexcept { return findings.empty(); }
   /// All findings as one sentence, or that nothing is wrong.
   std::string sentence() const;
+  /// The options that mend all findings, as a user types them; empty if one has no option.
+  std::string options() const;
 };
 
 /// Finds what explains the log best. First dq is compared with the differences of q. Then the torque is explained, joint

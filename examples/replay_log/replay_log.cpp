@@ -4,7 +4,7 @@
 // names: t, q1.. and either tau_ext1.., or tau1.. (measured torque, gravity included, or motor current) with dq1..;
 // optional are dq1.. and the truth m, rx, ry, rz. Prints a table with a line for each event, or with --json each
 // estimate as one JSON object per line. Assumptions and irregular time stamps are reported on stderr, or with --json in
-// objects of type "note". Exit codes: 0; 2 unusable arguments; 3 unreadable log or URDF.
+// objects of type "note". Exit codes: 0; 1 something is wrong with the log: which option mends it is said; 2 unusable arguments; 3 unreadable log or URDF.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +13,7 @@
 #include <string>
 
 #include "io/program.hpp"
+#include "log_diagnosis/recorded_log.hpp"
 #include "replay_log/options.hpp"
 
 namespace {
@@ -121,12 +122,21 @@ template <int Dofs>
 int run(Arguments& arguments, const ArmRequest& arm) {
   const bool json = arguments.flag("--json");
   const ReplayRequest<Dofs> request = parse_replay<Dofs>(arguments, arm);
+  const LogFormat format = parse_format(arguments);
   const std::string file = arguments.positional("LOG.csv");
   arguments.finish();
-  const Log<Dofs> log = read_log<Dofs>(file);
-  require_external_torque(log);
+  const FormattedLog<Dofs> read = read_formatted_log<Dofs>(file, format, joint_names(arm));
+  const Log<Dofs>& log = read.log;
+  const Diagnosis diagnosis = diagnose(read, request.options.arm, request.options.estimator, format, true);
+  if (!diagnosis.usable()) {
+    std::fprintf(stderr, "replay_log: %s: %s\n", file.c_str(), diagnosis.sentence().c_str());
+    if (!diagnosis.options().empty())
+      std::fprintf(stderr, "try: replay_log %s\n", arguments.with(diagnosis.options()).c_str());
+    return 1;
+  }
   const Samples<Dofs> samples = samples_of(log, request.options.arm, request.options.estimator);
   std::vector<std::string> notes = request.notes;
+  for (const std::string& note : read.notes) notes.push_back(log.name + ": " + note);
   for (const std::string& note : samples.timing.notes()) notes.push_back(log.name + ": " + note);
   for (const std::string& note : notes) {
     if (json)
@@ -175,6 +185,6 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("replay_log", std::string(kUsage) + kArmUsage + kSettingsUsage + kReplayUsage + kOwnUsage, argc,
+  return run_program("replay_log", std::string(kUsage) + kArmUsage + kFormatUsage + kSettingsUsage + kReplayUsage + kOwnUsage, argc,
                      argv, run);
 }
