@@ -76,7 +76,8 @@ Checked<Dofs> read(const Inputs& inputs, const ArmSettings<Dofs>& settings) {
     out.logs.push_back(log);
   }
   if (seconds < 5)
-    throw LogError(inputs.files.front() + ": 5 s of an empty hand are needed, the logs hold " + std::to_string(seconds));
+    throw LogError(inputs.files.front() + ": 5 s of an empty hand are needed, the logs hold " +
+                   std::to_string(seconds));
   return out;
 }
 
@@ -431,5 +432,6 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("check_arm", std::string(kUsage) + kArmUsage + kFormatUsage + kSettingsUsage + kOwnUsage, argc, argv, run);
+  return run_program("check_arm", std::string(kUsage) + kArmUsage + kFormatUsage + kSettingsUsage + kOwnUsage, argc,
+                     argv, run);
 }

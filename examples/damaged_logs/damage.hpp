@@ -36,8 +36,7 @@ std::vector<int> heaviest_joints(const Recording<Dofs>& recording) {
   const std::size_t stride = std::max<std::size_t>(1, q.size() / 500);
   double count = 0;
   for (std::size_t i = 0; i < q.size(); i += stride, ++count) {
-    const JointVector<double, Dofs> g =
-        recording.arm.model.dynamics(q[i], JointVector<double, Dofs>::Zero()).gravity;
+    const JointVector<double, Dofs> g = recording.arm.model.dynamics(q[i], JointVector<double, Dofs>::Zero()).gravity;
     sum += g;
     square += g.cwiseAbs2();
   }
@@ -56,7 +55,9 @@ std::vector<Damage<Dofs>> damages(const Recording<Dofs>& good) {
   constexpr double kPi = 3.141592653589793;
   std::vector<Damage<Dofs>> out;
   const auto add = [&](const std::string& name, std::set<Fault> faults, const std::string& option,
-                       std::function<void(R&)> apply) { out.push_back({name, std::move(faults), option, apply}); };
+                       std::function<void(R&)> apply) {
+    out.push_back({name, std::move(faults), option, apply});
+  };
   const std::vector<int> joints = heaviest_joints(good);
   const int first = joints[0], second = joints[1], third = joints[2];
   const auto joint = [](int j) { return " of joint " + std::to_string(j + 1); };
@@ -106,9 +107,7 @@ std::vector<Damage<Dofs>> damages(const Recording<Dofs>& good) {
       }
     };
   };
-  const auto late = [](double delay) {
-    return [=](R& r) { detail::advance_torque(r.read.log, -delay); };
-  };
+  const auto late = [](double delay) { return [=](R& r) { detail::advance_torque(r.read.log, -delay); }; };
 
   add("q and dq in degrees", {Fault::Degrees}, "--degrees", scaled(180 / kPi, 180 / kPi, 1));
   add("q in degrees", {Fault::Degrees}, "--columns", scaled(180 / kPi, 1, 1));
@@ -130,8 +129,7 @@ std::vector<Damage<Dofs>> damages(const Recording<Dofs>& good) {
     each(r.read.log.tau, [&](Vector& v) { v = 1000 * v.cwiseQuotient(r.arm.model.tau_max); });
   });
   add("tau opposite", {Fault::TorqueSign}, "--torque-sign reaction", scaled(1, 1, -1));
-  for (const int j : {first, second, third})
-    add("tau opposite" + joint(j), {Fault::Gain}, "--gains", gained(j, -1));
+  for (const int j : {first, second, third}) add("tau opposite" + joint(j), {Fault::Gain}, "--gains", gained(j, -1));
   for (const double gain : {0.5, 0.7, 1.5, 2.0}) {
     char text[20];
     std::snprintf(text, sizeof text, "tau times %.1f", gain);

@@ -34,8 +34,9 @@ std::string items(const std::string& key, const std::vector<LogColumn>& columns)
     bool regular = true;
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const LogColumn& c = columns[j];
-      regular = regular && c.factor == columns[0].factor && c.offset == columns[0].offset &&
-                c.name == head.substr(0, at) + std::to_string(static_cast<std::size_t>(first) + j) + head.substr(at + 1);
+      regular =
+          regular && c.factor == columns[0].factor && c.offset == columns[0].offset &&
+          c.name == head.substr(0, at) + std::to_string(static_cast<std::size_t>(first) + j) + head.substr(at + 1);
     }
     if (regular) return key + "=" + expression(columns[0], head.substr(0, at) + "*" + head.substr(at + 1));
   }
@@ -95,7 +96,8 @@ std::string Advice::reordered(const std::vector<std::string>& keys, const std::v
     for (std::size_t j = 0; j < from.size(); ++j) {
       const auto source = static_cast<std::size_t>(order[j]);
       if (source != j)
-        out += (out.empty() ? "" : ",") + key + std::to_string(j + 1) + "=" + expression(from[source], from[source].name);
+        out +=
+            (out.empty() ? "" : ",") + key + std::to_string(j + 1) + "=" + expression(from[source], from[source].name);
     }
   }
   return option(out);

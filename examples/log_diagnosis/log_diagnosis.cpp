@@ -119,8 +119,7 @@ void judge_velocity(DiagnosedLog& log, const Advice& advice, std::vector<Finding
     std::vector<double> sizes = factors;
     std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
     const double common = sizes[sizes.size() / 2];
-    const bool same =
-        std::all_of(factors.begin(), factors.end(), [&](double f) { return near(f, common, kSame); });
+    const bool same = std::all_of(factors.begin(), factors.end(), [&](double f) { return near(f, common, kSame); });
     if (same && near(common, 1, kSame)) return;
     if (same) {
       if (near(common, 1e3, kSame)) return unit(1e-3, "ms");
@@ -237,8 +236,7 @@ class Instants {
       first = std::min(first, log_.t.size() - 1);
       last = first + 1;
     }
-    return local_quadratic(log_.t, first, last, t,
-                           [&](std::size_t i) { return of(static_cast<Eigen::Index>(i), j); });
+    return local_quadratic(log_.t, first, last, t, [&](std::size_t i) { return of(static_cast<Eigen::Index>(i), j); });
   }
 
   const DiagnosedLog& log_;
@@ -370,9 +368,9 @@ class TorqueJudge {
     constexpr double kOff = 0.15, kOffByFriction = 0.45;
     // Friction over the model's torque, from which on a gain, or its sign, says nothing.
     constexpr double kFriction = 0.7, kSignFriction = 2;
-    constexpr double kSure = 4;        // deviations
-    constexpr double kCommon = 0.12;   // tolerance of a gain that all joints have
-    constexpr double kUnit = 0.35;     // tolerance of a unit
+    constexpr double kSure = 4;       // deviations
+    constexpr double kCommon = 0.12;  // tolerance of a gain that all joints have
+    constexpr double kUnit = 0.35;    // tolerance of a unit
     const Explained data = explained(model_);
     const std::vector<GainFit> fits = fit_.fit_gains(data);
     const Eigen::Index n = arm_.joints();
@@ -463,7 +461,8 @@ class TorqueJudge {
     // Its size is known: only a direction is left.
     Eigen::Vector3d direction = found.normalized();
     for (int i = 0; i < 3; ++i)
-      if (std::abs(direction[i]) > std::cos(kTurned / 2)) direction = std::copysign(1.0, direction[i]) * Eigen::Vector3d::Unit(i);
+      if (std::abs(direction[i]) > std::cos(kTurned / 2))
+        direction = std::copysign(1.0, direction[i]) * Eigen::Vector3d::Unit(i);
     Explained turned = explained(model_);
     turned.base = model_.inertial;
     for (std::size_t i = 0; i < 3; ++i)
@@ -484,8 +483,8 @@ class TorqueJudge {
     const double cost = fit_.fit_shared(data, {model_.gravity}, x, deviation).cost;
     if (std::abs(x[0]) > kContained)
       offer(cost, Fault::ContainsGravity, say("tau_ext contains gravity, %.2f times the model's", x[0]),
-            advice_.moved("tau_ext", "tau") + (x[0] < 0 ? std::string(" --torque-sign ") +
-            (given_.external_sign ? "reaction" : "external") : ""));
+            advice_.moved("tau_ext", "tau") +
+                (x[0] < 0 ? std::string(" --torque-sign ") + (given_.external_sign ? "reaction" : "external") : ""));
     const double tilted =
         fit_.fit_shared(data, {model_.per_gravity.begin(), model_.per_gravity.end()}, x, deviation).cost;
     const Eigen::Vector3d truth = arm_.gravity - Eigen::Vector3d(x);
@@ -682,8 +681,7 @@ class TorqueJudge {
       }
       if (q.empty()) return;
       offer(cost, Fault::PositionSign,
-            "joint " + list(q) + " turns the other way than in the model" +
-                (tau.empty() ? "" : ", as does its torque"),
+            "joint " + list(q) + " turns the other way than in the model" + (tau.empty() ? "" : ", as does its torque"),
             advice_.turned_joints(q) + (tau.empty() ? "" : " " + advice_.gains(gains)));
     } else {
       offer(cost, Fault::JointOrder, "joints are in another order than in the model, some with another sign",

@@ -45,7 +45,7 @@ struct DiagnosedLog {
   Eigen::MatrixXd dq;     ///< [rad/s]
   /// Torque [N m]: what is measured, gravity included, positive if it drives the joint forwards; or external torque.
   Eigen::MatrixXd tau;
-  bool measured = true;        ///< tau is measured torque
+  bool measured = true;         ///< tau is measured torque
   bool differentiated = false;  ///< dq is the derivative of q
   bool may_hold = false;        ///< the hand may hold something for a part of the log: no load is a fault
 };
@@ -54,28 +54,28 @@ struct DiagnosedLog {
 struct GivenOptions {
   LogFormat format;
   LogColumns columns;
-  Eigen::VectorXd gains;         ///< one for each joint
-  bool external_sign = true;     ///< --torque-sign external
+  Eigen::VectorXd gains;      ///< one for each joint
+  bool external_sign = true;  ///< --torque-sign external
 };
 
 enum class Fault {
-  TimeUnit,          ///< t is in ms, us or ns
-  Velocity,          ///< dq is not the derivative of q: its unit, a sign, the order of its joints, or anything else
-  Degrees,           ///< q, and dq if the log has it, are in degrees
-  PositionSign,      ///< a joint of q turns the other way
-  PositionOffset,    ///< a joint of q has another zero
-  JointOrder,        ///< joints are in another order than in the model
-  TorqueOrder,       ///< the torque's joints are in another order than those of q
-  TorqueUnit,        ///< all joints: mN m, thousandths or hundredths of the rated torque
-  TorqueSign,        ///< all joints have the opposite sign
-  Gain,              ///< some joints' torque is too large, too small or of the opposite sign
-  Gravity,           ///< gravity points elsewhere, or has another size
-  LacksGravity,      ///< measured torque without gravity
-  ContainsGravity,   ///< external torque with gravity
-  Load,              ///< the hand holds something, or a tool is missing in the model
-  Delay,             ///< torque later than q
-  PositionLimits,    ///< q beyond the URDF's limits
-  TorqueLimits,      ///< torque beyond the URDF's limits
+  TimeUnit,         ///< t is in ms, us or ns
+  Velocity,         ///< dq is not the derivative of q: its unit, a sign, the order of its joints, or anything else
+  Degrees,          ///< q, and dq if the log has it, are in degrees
+  PositionSign,     ///< a joint of q turns the other way
+  PositionOffset,   ///< a joint of q has another zero
+  JointOrder,       ///< joints are in another order than in the model
+  TorqueOrder,      ///< the torque's joints are in another order than those of q
+  TorqueUnit,       ///< all joints: mN m, thousandths or hundredths of the rated torque
+  TorqueSign,       ///< all joints have the opposite sign
+  Gain,             ///< some joints' torque is too large, too small or of the opposite sign
+  Gravity,          ///< gravity points elsewhere, or has another size
+  LacksGravity,     ///< measured torque without gravity
+  ContainsGravity,  ///< external torque with gravity
+  Load,             ///< the hand holds something, or a tool is missing in the model
+  Delay,            ///< torque later than q
+  PositionLimits,   ///< q beyond the URDF's limits
+  TorqueLimits,     ///< torque beyond the URDF's limits
 };
 
 /// Something that is wrong.

@@ -59,14 +59,13 @@ Eigen::MatrixXd rows_of(const std::vector<JointVector<double, Dofs>>& values) {
 /// @param rated_payload  [kg]
 template <int Dofs>
 DiagnosedArm diagnosed_arm(const RecordedArm<Dofs>& arm, double rated_payload) {
-  return {arm.model.q_min,
-          arm.model.q_max,
-          arm.model.tau_max,
-          rated_payload,
-          arm.model.gravity_vector,
-          [model = arm.model](const Motion& motion, bool details) {
-            return detail::model_torque(model, motion, details);
-          }};
+  return {
+      arm.model.q_min,
+      arm.model.q_max,
+      arm.model.tau_max,
+      rated_payload,
+      arm.model.gravity_vector,
+      [model = arm.model](const Motion& motion, bool details) { return detail::model_torque(model, motion, details); }};
 }
 
 /// Finds what is wrong with a recording.

@@ -136,7 +136,8 @@ FitQuality TorqueFit::fit_shared(const Explained& data, const std::vector<Eigen:
       std::vector<Eigen::VectorXd> projected;
       for (const Eigen::MatrixXd& column : shared) projected.push_back(least_squares(nuisance, column.col(j), w).left);
       const Eigen::VectorXd y = data.tau.col(j) - data.base.col(j);
-      const double precision = 1 / (out.left[j] * out.left[j] + std::pow(data.friction_error * out.friction[j], 2) + 1e-12) / w.sum();
+      const double precision =
+          1 / (out.left[j] * out.left[j] + std::pow(data.friction_error * out.friction[j], 2) + 1e-12) / w.sum();
       for (Eigen::Index i = 0; i < n; ++i) {
         const Eigen::VectorXd weighted = w.cwiseProduct(projected[static_cast<std::size_t>(i)]);
         for (Eigen::Index k = 0; k < n; ++k)

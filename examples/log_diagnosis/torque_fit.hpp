@@ -9,19 +9,19 @@ namespace rme::examples {
 
 /// Torque that is to be explained, and what explains it.
 struct Explained {
-  Eigen::MatrixXd tau;    ///< [N m], a row for each instant
-  Motion motion;          ///< of the same instants
-  Eigen::MatrixXd base;   ///< the model's share, known [N m]
-  Eigen::MatrixXd loads;  ///< the model's gravity torque, with which friction may grow [N m]
-  bool measured = true;   ///< friction adds to the torque; in external torque it may have either sign
+  Eigen::MatrixXd tau;           ///< [N m], a row for each instant
+  Motion motion;                 ///< of the same instants
+  Eigen::MatrixXd base;          ///< the model's share, known [N m]
+  Eigen::MatrixXd loads;         ///< the model's gravity torque, with which friction may grow [N m]
+  bool measured = true;          ///< friction adds to the torque; in external torque it may have either sign
   double friction_error = 0.25;  ///< least error, as a share of the friction's rms
 };
 
 /// How well something explains the torque.
 struct FitQuality {
-  double cost = 0;                ///< negative log likelihood, and what its parameters cost [nats]
-  Eigen::VectorXd left;           ///< rms of each joint's torque that is not explained [N m]
-  Eigen::VectorXd friction;       ///< rms of each joint's friction [N m]
+  double cost = 0;           ///< negative log likelihood, and what its parameters cost [nats]
+  Eigen::VectorXd left;      ///< rms of each joint's torque that is not explained [N m]
+  Eigen::VectorXd friction;  ///< rms of each joint's friction [N m]
 };
 
 /// The factor on the model's share of a joint's torque.

@@ -18,7 +18,7 @@ constexpr double kMilli = 1e-3, kNano = 1e-9;
 /// A quantity of which a log has one column for each joint.
 struct Quantity {
   const char* key;
-  std::vector<LogColumn> LogColumns::* columns;
+  std::vector<LogColumn> LogColumns::*columns;
   Names stems;  ///< what recorders call it; before or after a joint's number or name
 };
 
@@ -43,9 +43,9 @@ struct TimeColumn {
   const char* name;
   double factor;  // [s]
 };
-constexpr TimeColumn kTimes[] = {{"t", 1},     {"time", 1},           {"timestamp", 1},         {"__time", 1},
-                                 {"stamp", 1}, {"%time", kNano},      {"duration", kMilli},     {"state.time", kMilli},
-                                 {"Time", 1},  {"Timestamp", 1},      {"state.duration", kMilli}};
+constexpr TimeColumn kTimes[] = {{"t", 1},     {"time", 1},      {"timestamp", 1},          {"__time", 1},
+                                 {"stamp", 1}, {"%time", kNano}, {"duration", kMilli},      {"state.time", kMilli},
+                                 {"Time", 1},  {"Timestamp", 1}, {"state.duration", kMilli}};
 
 /// The file's columns.
 class Header {
@@ -69,7 +69,8 @@ class Header {
       Names found;
       for (std::size_t j = 0; j < joints; ++j) found.push_back(before + std::to_string(first + j) + after);
       const bool more = has(before + std::to_string(first + joints) + after);
-      if (!more && std::all_of(found.begin(), found.end(), [this](const auto& name) { return has(name); })) return found;
+      if (!more && std::all_of(found.begin(), found.end(), [this](const auto& name) { return has(name); }))
+        return found;
     }
     return std::nullopt;
   }
@@ -105,9 +106,14 @@ class Header {
 
 std::optional<Names> find(const Header& header, const Quantity& quantity, const Names& joints) {
   for (const std::string& stem : quantity.stems)
-    for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{
-             {stem, ""}, {stem + "_", ""}, {stem + "[", "]"}, {stem + ".", ""}, {stem + "s_", ""}, {stem + "s[", "]"},
-             {stem + "/", ""}, {stem + " ", ""}})
+    for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{{stem, ""},
+                                                                                        {stem + "_", ""},
+                                                                                        {stem + "[", "]"},
+                                                                                        {stem + ".", ""},
+                                                                                        {stem + "s_", ""},
+                                                                                        {stem + "s[", "]"},
+                                                                                        {stem + "/", ""},
+                                                                                        {stem + " ", ""}})
       if (auto found = header.numbered(before, after, joints.size())) return found;
   for (const std::string& stem : quantity.stems) {
     if (auto found = header.named(joints, stem)) return found;

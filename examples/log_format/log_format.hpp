@@ -12,7 +12,8 @@
 namespace rme::examples {
 
 constexpr const char* kFormatUsage =
-    "  --columns LIST      where the log has what: 'q=position_*,dq=none,q2=-q2,t=0.001*time', * for the joints' numbers\n"
+    "  --columns LIST      where the log has what: 'q=position_*,dq=none,q2=-q2,t=0.001*time', * for the joints' "
+    "numbers\n"
     "  --degrees           q and dq are in degrees and degrees per second\n"
     "  --torque-delay S    the log's torque is late: that of a row belongs to the arm S seconds before [s] (0)\n";
 
@@ -68,8 +69,7 @@ void advance_torque(Log<Dofs>& log, double delay) {
     return of[k - 1] + share * (of[k] - of[k - 1]);
   };
   const Log<Dofs> kept = cropped(log, log.t.front() - std::min(0.0, delay), log.t.back() - std::max(0.0, delay));
-  if (kept.size() < 2)
-    throw LogError(log.name + ": lasts less than --torque-delay, " + std::to_string(delay) + " s");
+  if (kept.size() < 2) throw LogError(log.name + ": lasts less than --torque-delay, " + std::to_string(delay) + " s");
   Log<Dofs> out = kept;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (!log.tau.empty()) out.tau[i] = at(log.tau, kept.t[i] + delay);

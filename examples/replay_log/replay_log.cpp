@@ -185,6 +185,7 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("replay_log", std::string(kUsage) + kArmUsage + kFormatUsage + kSettingsUsage + kReplayUsage + kOwnUsage, argc,
+  return run_program("replay_log",
+                     std::string(kUsage) + kArmUsage + kFormatUsage + kSettingsUsage + kReplayUsage + kOwnUsage, argc,
                      argv, run);
 }

@@ -25,7 +25,8 @@ constexpr const char* kArmUsage =
     "  --gains K1,K2,...   tau1.. are motor currents [A]; torque per ampere of each joint, gear included [N m/A]\n"
     "  --rotor-inertia I1,I2,...  inertia of each joint's rotor, gear included, which tau1.. accelerates [kg m^2] (0)\n"
     "  --gravity X,Y,Z     gravity vector in world axes [m/s^2] (0,0,-9.81)\n"
-    "  --tool M,X,Y,Z      a tool that the model lacks: its mass [kg] and centre of mass in the end effector's axes [m]\n"
+    "  --tool M,X,Y,Z      a tool that the model lacks: its mass [kg] and centre of mass in the end effector's axes "
+    "[m]\n"
     "  --tau-lacks-gravity gravity was subtracted from tau1..: it is added again\n";
 
 /// The values of the options above.
@@ -59,7 +60,7 @@ struct RecordedArm {
   /// Increase of a moving joint's friction in `tau` per N m of the arm's own gravity torque on the joint.
   JointVector<double, Dofs> load_friction = JointVector<double, Dofs>::Zero();
   bool lacks_gravity = false;  ///< the log's `tau` is without the model's gravity torque
-  bool is_panda = false;  ///< the built-in one, whose friction is known: it is subtracted from measured torque
+  bool is_panda = false;       ///< the built-in one, whose friction is known: it is subtracted from measured torque
 };
 
 /// A guess of the rated payload [kg]: 0.4 times the mass, 10 cm ahead of the tip, that the effort limits can hold in
