@@ -777,6 +777,7 @@ Diagnosis diagnose(const DiagnosedLog& given_log, const DiagnosedArm& arm, const
     return f.fault != Fault::Load && f.fault != Fault::Delay && f.fault != Fault::Gravity;
   });
   if (!explained) judge_limits(log, arm, out.findings);
+  if (out.usable()) out.remarks = judge.remarks();
   return out;
 }
 

@@ -12,15 +12,18 @@ constexpr double kCorrelated = 0.5;  // errors last for so long [s]
 constexpr double kSlow = 0.02;       // [rad/s]: at lower speeds it is uncertain whether a joint moves
 constexpr double kOutlier = 4;       // robust standard deviations: an emergency stop says little about a fault
 constexpr double kFloor = 0.01;      // least error, as a share of the torque's rms
+constexpr double kMostRotor = 5;     // greatest inertia of a rotor, gear included [kg m^2]
 constexpr double kRest = 0.2;        // weight of an instant at which a joint rests, so that its friction is unknown
 
 /// Columns that explain a joint's torque, and which of their coefficients cannot be negative.
 struct Columns {
   std::vector<Eigen::VectorXd> of;
   std::vector<bool> positive;
-  void add(const Eigen::VectorXd& column, bool is_positive) {
+  std::vector<double> most;  // greatest value of each coefficient
+  void add(const Eigen::VectorXd& column, bool is_positive, double greatest = 1e300) {
     of.push_back(column);
     positive.push_back(is_positive);
+    most.push_back(greatest);
   }
 };
 
@@ -31,7 +34,7 @@ Columns own(const Explained& data, Eigen::Index j) {
   out.add(direction, data.measured);
   out.add(dq, data.measured);
   out.add(direction.cwiseProduct(data.loads.col(j).cwiseAbs()), data.measured);
-  if (data.measured) out.add(data.motion.ddq.col(j), true);
+  if (data.measured) out.add(data.motion.ddq.col(j), true, kMostRotor);
   return out;
 }
 
@@ -44,35 +47,45 @@ struct Solution {
   Eigen::MatrixXd covariance;  // for errors of variance 1 that are independent
 };
 
-/// Weighted least squares; a coefficient that must be positive and is not is left out.
-Solution least_squares(const Columns& columns, const Eigen::VectorXd& y, const Eigen::VectorXd& w) {
-  const auto n = static_cast<Eigen::Index>(columns.of.size());
-  std::vector<bool> used(columns.of.size(), true);
+/// Weighted least squares; a coefficient that must be positive and is not is left out, one that is too large is fixed.
+Solution least_squares(const Columns& columns, Eigen::VectorXd y, const Eigen::VectorXd& w) {
+  const std::size_t n = columns.of.size();
+  const auto size = static_cast<Eigen::Index>(n);
+  std::vector<bool> used(n, true);
+  Eigen::VectorXd fixed = Eigen::VectorXd::Zero(size);
   Solution out;
-  for (;;) {
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Eigen::VectorXd weighted = w.cwiseProduct(columns.of[static_cast<std::size_t>(i)]);
-      if (!used[static_cast<std::size_t>(i)]) continue;
-      for (Eigen::Index k = 0; k <= i; ++k)
-        if (used[static_cast<std::size_t>(k)])
-          A(i, k) = A(k, i) = weighted.dot(columns.of[static_cast<std::size_t>(k)]);
-      b[i] = weighted.dot(y);
+  for (bool settled = false; !settled;) {
+    Eigen::MatrixXd A = Eigen::MatrixXd::Identity(size, size);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!used[i]) continue;
+      const auto row = static_cast<Eigen::Index>(i);
+      const Eigen::VectorXd weighted = w.cwiseProduct(columns.of[i]);
+      for (std::size_t k = 0; k <= i; ++k) {
+        const auto column = static_cast<Eigen::Index>(k);
+        if (used[k]) A(row, column) = A(column, row) = weighted.dot(columns.of[k]);
+      }
+      A(row, row) = A(row, row) > 0 ? A(row, row) * (1 + 1e-9) : 1;
+      b[row] = weighted.dot(y);
     }
-    for (Eigen::Index i = 0; i < n; ++i) A(i, i) = A(i, i) > 0 ? A(i, i) * (1 + 1e-9) : 1;
     const Eigen::LDLT<Eigen::MatrixXd> factor(A);
     out.x = factor.solve(b);
-    out.covariance = factor.solve(Eigen::MatrixXd::Identity(n, n));
-    Eigen::Index worst = -1;
-    for (Eigen::Index i = 0; i < n; ++i)
-      if (columns.positive[static_cast<std::size_t>(i)] && out.x[i] < 0 && (worst < 0 || out.x[i] < out.x[worst]))
-        worst = i;
-    if (worst < 0) break;
-    used[static_cast<std::size_t>(worst)] = false;
+    out.covariance = factor.solve(Eigen::MatrixXd::Identity(size, size));
+    settled = true;
+    for (std::size_t i = 0; i < n && settled; ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      if (!used[i]) continue;
+      settled = !(columns.positive[i] && out.x[row] < 0) && out.x[row] <= columns.most[i];
+      if (settled) continue;
+      used[i] = false;
+      fixed[row] = out.x[row] < 0 ? 0 : columns.most[i];
+      y -= fixed[row] * columns.of[i];
+    }
   }
+  out.x += fixed;
   out.left = y;
-  for (Eigen::Index i = 0; i < n; ++i) out.left -= out.x[i] * columns.of[static_cast<std::size_t>(i)];
+  for (std::size_t i = 0; i < n; ++i)
+    if (used[i]) out.left -= out.x[static_cast<Eigen::Index>(i)] * columns.of[i];
   return out;
 }
 
@@ -133,6 +146,7 @@ FitQuality TorqueFit::fit_shared(const Explained& data, const std::vector<Eigen:
       const Eigen::VectorXd w = weights(data, j);
       Columns nuisance = own(data, j);
       std::fill(nuisance.positive.begin(), nuisance.positive.end(), false);
+      std::fill(nuisance.most.begin(), nuisance.most.end(), 1e300);
       std::vector<Eigen::VectorXd> projected;
       for (const Eigen::MatrixXd& column : shared) projected.push_back(least_squares(nuisance, column.col(j), w).left);
       const Eigen::VectorXd y = data.tau.col(j) - data.base.col(j);

@@ -53,10 +53,13 @@ Recording<Dofs> recording(const Truth& truth = {}, unsigned seed = 3) {
     const double t = 0.005 * i;
     Vector q = arm.ready, dq, ddq, tau;
     for (int j = 0; j < Dofs; ++j) {
-      const double w = 0.7 + 0.17 * j, amplitude = 0.5;
-      q[j] += amplitude * std::sin(w * t + j);
-      dq[j] = amplitude * w * std::cos(w * t + j);
-      ddq[j] = -amplitude * w * w * std::sin(w * t + j);
+      // Two frequencies: with one, gravity could not be told from inertia.
+      dq[j] = ddq[j] = 0;
+      for (const double w : {0.5 + 0.11 * j, 1.3 + 0.17 * j}) {
+        q[j] += 0.3 * std::sin(w * t + j);
+        dq[j] += 0.3 * w * std::cos(w * t + j);
+        ddq[j] -= 0.3 * w * w * std::sin(w * t + j);
+      }
     }
     const auto terms = arm.dynamics(q, dq, truth.load), own = arm.dynamics(q, dq);
     const Vector needed = terms.mass_matrix * ddq + terms.coriolis + terms.gravity;
