@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <rme/core/compensation.hpp>
+#include <rme/core/flange_motion.hpp>
+#include <rme/core/payload.hpp>
 #include <rme/core/plausible.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/status.hpp>
@@ -12,6 +13,7 @@
 #include <rme/estimator_state.hpp>
 #include <rme/sensing/proprioception.hpp>
 #include <rme/sensing/stale_torque.hpp>
+#include <rme/tracking/inertial_parameters.hpp>
 #include <rme/tracking/removal_guard.hpp>
 #include <rme/tracking/torque_block.hpp>
 #include <rme/tracking/tracker.hpp>
@@ -58,20 +60,33 @@ class Estimator {
   ///
   ///     tau_comp = -share c J^T w(payload),   c = m^2 / (m^2 + std^2)
   ///
-  /// It is nearly zero for an empty hand. If the payload's weight is suddenly missing in tau_ext, the removal guard
+  /// To this comes the torque that carries state().tool. It is nearly zero for an empty hand. If the payload's weight is suddenly missing in tau_ext, the removal guard
   /// reduces `share` from 1 towards 0 within milliseconds, before it is known whether the object was dropped or lifted
   /// (T35). If the pose is not plausible (plausible.hpp), that of the last good sample is used.
   /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
   /// @param rotation  R, end-effector axes to world axes
-  Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept;
+  Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
+    return payload_torque(jacobian, rotation, FlangeMotion<Scalar>());
+  }
+  /// The joint torque that carries the payload and moves it [N m], Dofs x 1, for a controller that knows the motion that
+  /// it commands (T10): compensation() if `motion` is zero.
+  /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
+  /// @param rotation  R, end-effector axes to world axes
+  /// @param motion    of the end effector that is commanded, world axes; if it is not plausible, it counts as zero
+  Torque payload_torque(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
+                        const FlangeMotion<Scalar>& motion) const noexcept;
 
-  /// Says that the hand is empty. This call and the three below tell the estimator what the host knows. None of them is
+  /// Says that the hand is empty. This call and the four below tell the estimator what the host knows. None of them is
   /// needed. If the samples contradict what the host says, the estimate follows the samples.
   void declare_empty() noexcept;
   /// Says what is in the hand.
   /// @param payload  mass [kg], >= 0, and centre of mass [m], end-effector axes; covariance positive semidefinite
   /// @return Ok; NonFiniteInput, also for a mass or a variance below 0: nothing is changed then
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept;
+  /// Says that what the hand holds now is tool: a gripper that the robot does not know, or a wrong entry of its mass. From
+  /// then on state().payload is what comes in addition. What was held is carried as before, and known better once the arm
+  /// has moved.
+  void tare() noexcept;
   /// Says that the payload is about to change, for example because the gripper closes or opens. For 0.3 s, a change then
   /// has as much prior probability as everything else together.
   void expect_change() noexcept { expected_ = kExpected; }
@@ -94,26 +109,23 @@ class Estimator {
   static constexpr double kExchanges = 0.05;
   static constexpr int kChildren = 16;        // children that a busy block has, over all kinds of sensing
   static constexpr int kManyChildren = 1000;  // more than a block can have
-  static constexpr double kHealthy = 3;       // health up to which the filters' covariance is not increased
 
-  /// Torque that carries a body of mass and first moment (m, m r) at rest [N m].
-  Torque carried(const Vector4<Scalar>& body, const Jacobian<Scalar, Dofs>& jacobian,
-                 const Matrix3<Scalar>& rotation) const noexcept {
-    const Vector3<Scalar> lever = detail::product(rotation, Vector3<Scalar>(body[1], body[2], body[3]));
-    const Wrench<Scalar> weight{detail::scaled(body[0], config_.gravity), lever.cross(config_.gravity)};
-    return detail::scaled(Scalar(-1), Torque(detail::transposed_product(jacobian, weight.vector())));
-  }
-  /// (m, m r) of the payload, as state() has it.
-  Vector4<Scalar> body() const noexcept {
+  /// phi of the payload, as state() has it.
+  InertialVector<Scalar> body() const noexcept {
     const Vector4<Scalar>& theta = state_.payload.mean;
-    return {theta[0], theta[0] * theta[1], theta[0] * theta[2], theta[0] * theta[3]};
+    InertialVector<Scalar> phi = detail::scaled(state_.held, state_.inertial.mean);
+    phi[0] = theta[0];
+    for (int i = 1; i < 4; ++i) phi[i] = theta[0] * theta[i];
+    return phi;
   }
   Scalar share() const noexcept {
     const Scalar mass = state_.payload.mean[0], variance = state_.payload.covariance(0, 0);
     const Scalar square = mass * mass;  // may underflow to zero
     return mass > 0 && square + variance > 0 ? square / (square + variance) : Scalar(0);
   }
-  Scalar excess() const noexcept { return std::max(Scalar(1), state_.health / Scalar(kHealthy)); }
+  Scalar excess() const noexcept {
+    return std::max(Scalar(1), state_.health / Scalar(EstimatorState<Scalar>::kHealthy));
+  }
   void process() noexcept;
   void publish() noexcept;
   void forget(double dt) noexcept;
@@ -174,8 +186,9 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   jacobian_ = in.jacobian;
   rotation_ = in.rotation;
   const bool complete = averager_.add(sample, dt, state_.time);
-  guard_.update(averager_.torque(), detail::scaled(Scalar(-1), carried(body(), in.jacobian, in.rotation)),
-                static_cast<Scalar>(dt));
+  const Vector6<Scalar> weight =
+      payload_wrench(Payload<Scalar>::from_vector(state_.payload.mean), in.rotation, config_.gravity).vector();
+  guard_.update(averager_.torque(), Torque(detail::transposed_product(in.jacobian, weight)), static_cast<Scalar>(dt));
   expected_ = std::max(0.0, expected_ - dt);
   // With a Jacobian of zeros, tau_ext does not depend on the payload.
   if (complete && !contact_ && in.jacobian.squaredNorm() > 0) tracker_.begin(averager_.block(), expected_ > 0);
@@ -222,6 +235,7 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   state_.inertial = belief.payload;
   state_.health = belief.health;
   state_.sensing = belief.sensing;
+  state_.tool = belief.tool;
   PayloadGaussian<Scalar> held = payload_of(belief.payload, payload_prior_);
   // If innovations are far larger than the model predicts, the covariance that it predicts is too small as well.
   held.covariance *= excess();
@@ -245,17 +259,30 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
 }
 
 template <typename Scalar, int Dofs>
-auto Estimator<Scalar, Dofs>::compensation(const Jacobian<Scalar, Dofs>& jacobian,
-                                           const Matrix3<Scalar>& rotation) const noexcept -> Torque {
+auto Estimator<Scalar, Dofs>::payload_torque(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
+                                             const FlangeMotion<Scalar>& motion) const noexcept -> Torque {
+  InertialVector<Scalar> phi = detail::scaled(share() * guard_.share(), body());
+  for (int i = 0; i < 4; ++i) phi[i] += state_.tool[i];
   const bool good = plausible(jacobian) && plausible(rotation);
-  return carried(detail::scaled(share() * guard_.share(), body()), good ? jacobian : jacobian_,
-                 good ? rotation : rotation_);
+  const bool moves = plausible(motion.angular_velocity) && plausible(motion.linear_acceleration) &&
+                     plausible(motion.angular_acceleration);
+  const Eigen::Matrix<Scalar, 6, kInertial> regressor = inertial_wrench_regressor<Scalar>(
+      good ? rotation : rotation_, config_.gravity, moves ? motion : FlangeMotion<Scalar>());
+  const Vector6<Scalar> wrench = detail::product(regressor, phi);
+  return detail::scaled(Scalar(-1), Torque(detail::transposed_product(good ? jacobian : jacobian_, wrench)));
 }
 
 template <typename Scalar, int Dofs>
 void Estimator<Scalar, Dofs>::declare_empty() noexcept {
   tracker_.declare_empty();
   averager_.clear();  // a load that the robot has taken over changes tau_ext at once, not through the observer
+  events_.believe(true);
+  publish();
+}
+
+template <typename Scalar, int Dofs>
+void Estimator<Scalar, Dofs>::tare() noexcept {
+  tracker_.tare();
   events_.believe(true);
   publish();
 }

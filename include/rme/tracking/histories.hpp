@@ -317,7 +317,8 @@ class Histories {
         order[at(place)] = order[at(place - 1)];
       order[at(place)] = i;
     }
-    innovation_squared_ = settled_squared_ > 0 ? settled_squared_ : squared_[at(order[0])];
+    const bool settled = next(order[0]).mode != Mode::Disturbed && settled_squared_ > 0;
+    innovation_squared_ = settled ? settled_squared_ : squared_[at(order[0])];
     Scalar total = Scalar(0);
     const Scalar best = next(order[0]).log_weight, depth = this->depth();
     count_ = 0;
@@ -334,7 +335,7 @@ class Histories {
     Scalar nothing = Scalar(0);
     for (int i = 0; i < count_; ++i)
       if (told(i).mode == Mode::Empty || told(i).mode == Mode::Held) nothing += weight(i);
-    if (nothing > Scalar(0.9) && settled_payload_ >= 0)
+    if (nothing > Scalar(0.5) && settled_payload_ >= 0)
       filter_.model().learn(settled_payload_, settled_innovation_.innovation, settled_innovation_.variance);
     else
       filter_.model().interrupt();

@@ -12,7 +12,7 @@ namespace rme {
 
 /// What all joints share, x: first what belongs to the arm, then the payload. Each is the index of a first entry.
 enum Shared : int {
-  kLag = 0,      ///< lag of the torque beyond the stated observer [s]
+  kLag = 0,      ///< lag of the torque beyond the stated observer, in time constants of that observer (no unit)
   kTool = 1,     ///< mass and first moment that the robot's own model lacks at the last link, 4 entries [kg, kg m]
   kTilt = 5,     ///< error of gravity's direction: rotation about two axes across gravity, 2 entries [rad]
   kPayload = 7,  ///< phi of the payload, 10 entries; if something is poured, phi before that
