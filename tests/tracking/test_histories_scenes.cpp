@@ -43,7 +43,7 @@ TEST_CASE("Histories: a removal shows in its first block, and is known within tw
         scene.live(100);
         scene.hold(0.8);
         scene.live(100);
-        REQUIRE(scene.probability(Mode::Held) > 0.99);
+        REQUIRE(scene.probability(Mode::Held) > 0.98);
         scene.hold(0);
         scene.live(1);
         CHECK(scene.probability(Mode::Held) < 0.05);

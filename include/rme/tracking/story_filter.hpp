@@ -90,7 +90,7 @@ class StoryFilter {
     Scalar log_likelihood = Scalar(0);
     if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
-        if (child.quick) model_.suppose_hidden(child.star, payload_.com_mean);
+        if (child.payload == 0) model_.suppose_hidden(child.star, payload_.com_mean);
         child.pour.begin(child.star, payload_, rated_, child.quick);
         if (child.payload == 0) child.payload = child.take_next();
       }
@@ -142,6 +142,8 @@ class StoryFilter {
     (void)update(first, out);
     const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, first.star.mass()));
     const Scalar square = mass * mass + first.star.mass_variance();
+    child.star.forget_payload();
+    model_.load(child.star, first.star.payload_mean());
     child.star.draw_payload(payload_.mean(), payload_.factor(square));
   }
 

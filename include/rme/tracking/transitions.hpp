@@ -27,7 +27,8 @@ struct Transitions {
   static constexpr double kDisturbs = 1e-3;     ///< something begins to push
   static constexpr double kPours = 6e-4;        ///< something begins to flow into or out of what is held
   static constexpr double kFills = 1.2e-4;      ///< the same of an empty hand
-  static constexpr double kLeaves = 0.3;        ///< the hand is empty at once, relative to SensingKind::change
+  static constexpr double kAtOnce = 0.3;        ///< no block lies between the old payload, or none, and the new: as a
+                                                ///< share of SensingKind::change, to a new payload and to an empty hand
   static constexpr double kPourEnds = 4e-3;     ///< a pour ends
   static constexpr double kQuickEnds = 0.03;    ///< what is taken up slowly is taken up
   static constexpr double kSettles = 0.25;      ///< a change ends in a new payload
@@ -80,8 +81,8 @@ struct Transitions {
       case Mode::Held: {
         const bool empty = story.mode == Mode::Empty;
         const double pours = (empty ? kFills : kPours) * kind.slowly, takes_up = empty ? kind.takes_up : 0;
-        const double leaves = empty ? 0 : kLeaves * change;
-        goes_on(1 - change - leaves - kDisturbs - kind.jolt - pours - takes_up);
+        const double at_once = kAtOnce * change;
+        goes_on(1 - change - (empty ? 1 : 2) * at_once - kDisturbs - kind.jolt - pours - takes_up);
         if (takes_up > 0) {
           Transition quickly = to(Mode::Pouring, takes_up);
           quickly.quick = true;
@@ -89,7 +90,10 @@ struct Transitions {
         }
         if (!explained) {
           use(to(Mode::Changing, change));
-          if (!empty) use(to(Mode::Empty, leaves));
+          Transition drawn = to(Mode::Held, at_once);
+          drawn.anew = true;
+          use(drawn);
+          if (!empty) use(to(Mode::Empty, at_once));
           disturbed(kDisturbs, Disturbing::Hand);
           disturbed(kind.jolt, Disturbing::Jolt);
         }
