@@ -103,24 +103,10 @@ class JointTorqueModel {
     for (auto& s : shift) s *= mass;
     star.suppose_payload(detail::scaled(mass, along), shift);
   }
-  /// A payload has come or gone. The friction that holds a joint at rest may be another one since: as far as it carries
-  /// part of the weight, tau_ext does not show it.
-  /// @param star  state
-  /// @param phi   of the payload
-  void load(Star& star, const InertialVector<Scalar>& phi) const noexcept {
-    if (!(kind_.friction > 0) || kind_.slow > 0) return;
-    for (int j = 0; j < Dofs; ++j) {
-      if (!regime_.rests(j)) continue;
-      Scalar torque = Scalar(0);
-      for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * phi[i];
-      renew(star, j, kStiction, std::exp(-std::abs(torque) / arm_.coulomb[j]), stiction_variance(star, j));
-    }
-  }
   /// A payload has been removed. While it was held, an error of the torque's gain was taken for offset.
   /// @param star  state
   /// @param held  its phi
   void unload(Star& star, const InertialVector<Scalar>& held) const noexcept {
-    load(star, held);
     for (int j = 0; j < Dofs; ++j) {
       Scalar torque = Scalar(0);
       for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * held[i];

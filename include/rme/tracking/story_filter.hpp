@@ -142,8 +142,6 @@ class StoryFilter {
     (void)update(first, out);
     const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, first.star.mass()));
     const Scalar square = mass * mass + first.star.mass_variance();
-    child.star.forget_payload();
-    model_.load(child.star, first.star.payload_mean());
     child.star.draw_payload(payload_.mean(), payload_.factor(square));
   }
 
