@@ -106,7 +106,7 @@ class EventMonitor {
 
  private:
   static constexpr double kQuiet = 0.1;  // how long Empty or Held has to be likeliest at the end of an event [s]
-  static constexpr double kKnown = 0.4;  // how long after an exchange the event is over in any case [s]
+  static constexpr double kKnown = 0.4;  // how long after a change the event is over in any case [s]
 
   void finish(bool empty, double now, Scalar mass, Scalar deviation) noexcept {
     using std::abs;
