@@ -69,7 +69,7 @@ template <typename Scalar, int Dofs>
 class StarGaussian {
  public:
   using X = SharedVector<Scalar>;                                 ///< 21x1
-  using XMatrix = SharedMatrix<Scalar>;                           ///< 21x17
+  using XMatrix = SharedMatrix<Scalar>;                           ///< 21x21
   using Beta = JointNuisanceVector<Scalar>;                       ///< 5x1
   using BetaMatrix = JointNuisanceMatrix<Scalar>;                 ///< 5x5
   using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 21x5
