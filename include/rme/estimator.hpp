@@ -20,7 +20,7 @@
 
 namespace rme {
 
-/// Tracks the payload of one arm with a filter that takes in every sample (docs/theory.md, "The tracker"):
+/// Tracks the payload of one arm. Every sample counts (docs/theory.md, "The tracker"):
 ///
 ///     samples -> blocks of 20 ms -> weighted stories, per kind of torque sensing -> belief -> events, compensation
 ///
@@ -29,9 +29,9 @@ namespace rme {
 ///     tau_command += estimator.compensation(jacobian, rotation);    // through a CompensationRamp
 ///     estimator.state().payload                                     // mass and centre of mass, with covariance
 ///
-/// Real time: no call but the constructor allocates or throws. The stories of a block are continued on the tick that ends
-/// it and on the ticks after it: at 1 kHz nine continuations on one tick, below 400 Hz all of them. Each costs at most
-/// the update of a filter of 10 + 4 + 5 Dofs unknowns. On all other ticks update() is O(Dofs).
+/// Real time: no call but the constructor allocates or throws. The children of a block's stories are computed on the tick
+/// that ends it and on the ticks after it: at 1 kHz four on one tick, below 400 Hz all of them. Each costs at most two
+/// updates of a filter of 21 + 5 Dofs unknowns. On all other ticks update() is O(Dofs).
 template <typename Scalar, int Dofs>
 class Estimator {
   static_assert(Dofs != Eigen::Dynamic, "Estimator: the number of joints has to be known at compile time");
@@ -58,18 +58,19 @@ class Estimator {
 
   /// The joint torque that carries the payload, to be added to the command [N m], Dofs x 1 (docs/theory.md (T34)):
   ///
-  ///     tau_comp = -share c J^T w(payload),   c = m^2 / (m^2 + std^2)
+  ///     tau_comp = -J^T (share c w(payload) + w(tool)),   c = m^2 / (m^2 + std^2)
   ///
-  /// To this comes the torque that carries state().tool. It is nearly zero for an empty hand. If the payload's weight is suddenly missing in tau_ext, the removal guard
-  /// reduces `share` from 1 towards 0 within milliseconds, before it is known whether the object was dropped or lifted
-  /// (T35). If the pose is not plausible (plausible.hpp), that of the last good sample is used.
+  /// Without a tool that the robot does not know, it is nearly zero for an empty hand. If the payload's weight is suddenly
+  /// missing in tau_ext, the removal guard reduces `share` from 1 towards 0 within milliseconds, before it is known whether
+  /// the object was dropped or lifted (T35). If the pose is not plausible (plausible.hpp), that of the last good sample is
+  /// used.
   /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
   /// @param rotation  R, end-effector axes to world axes
   Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
     return payload_torque(jacobian, rotation, FlangeMotion<Scalar>());
   }
-  /// The joint torque that carries the payload and moves it [N m], Dofs x 1, for a controller that knows the motion that
-  /// it commands (T10): compensation() if `motion` is zero.
+  /// The joint torque that carries payload and tool and moves them [N m], Dofs x 1, for a controller that knows the motion
+  /// that it commands (T10): compensation() if `motion` is zero.
   /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
   /// @param rotation  R, end-effector axes to world axes
   /// @param motion    of the end effector that is commanded, world axes; if it is not plausible, it counts as zero
@@ -83,9 +84,9 @@ class Estimator {
   /// @param payload  mass [kg], >= 0, and centre of mass [m], end-effector axes; covariance positive semidefinite
   /// @return Ok; NonFiniteInput, also for a mass or a variance below 0: nothing is changed then
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept;
-  /// Says that what the hand holds now is tool: a gripper that the robot does not know, or a wrong entry of its mass. From
-  /// then on state().payload is what comes in addition. What was held is carried as before, and known better once the arm
-  /// has moved.
+  /// Says that what the hand holds now is tool: a gripper that the robot does not know, or a wrong entry of its mass.
+  /// From then on state().payload is what comes in addition. What was held is carried as before, and known better once
+  /// the arm has moved.
   void tare() noexcept;
   /// Says that the payload is about to change, for example because the gripper closes or opens. For 0.3 s, a change then
   /// has as much prior probability as everything else together.
@@ -103,9 +104,9 @@ class Estimator {
   void reset() noexcept;
 
  private:
-  static constexpr double kExpected = 0.3;  // how long an exchange is expected after expect_change() [s]
-  // How often a payload is exchanged while nothing is measured [1/s]: as often as the tracker expects it on an arm whose
-  // torque shows it at once, 1e-3 per block (sensing_kind.hpp).
+  static constexpr double kExpected = 0.3;  // how long a change is expected after expect_change() [s]
+  // How often a payload is exchanged while nothing is measured [1/s]: as often as the tracker expects it on an arm
+  // whose torque shows it at once, SensingKind::change = 1e-3 per block.
   static constexpr double kExchanges = 0.05;
   static constexpr int kChildren = 16;        // children that a busy block has, over all kinds of sensing
   static constexpr int kManyChildren = 1000;  // more than a block can have
@@ -142,7 +143,7 @@ class Estimator {
   Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();  // of the last good sample
   Matrix3<Scalar> rotation_ = Matrix3<Scalar>::Identity();
   int steps_per_tick_;
-  double expected_ = 0;  // how long an exchange is still expected [s]
+  double expected_ = 0;  // how long a change is still expected [s]
   bool contact_ = false;
 };
 
@@ -215,8 +216,8 @@ void Estimator<Scalar, Dofs>::process() noexcept {
   state_.event = events_.last();
 }
 
-/// A tick in which tau_ext was no measurement. The variance of the mass approaches that of a payload from the prior, about
-/// the mean that is kept: after a time t, the payload has been exchanged with the probability 1 - exp(-t / 20 s).
+/// A tick in which tau_ext was no measurement. The variance of the mass approaches that of a payload from the prior,
+/// about the mean that is kept: after a time t, the payload has been exchanged with the probability 1 - exp(-t / 20 s).
 template <typename Scalar, int Dofs>
 void Estimator<Scalar, Dofs>::forget(double dt) noexcept {
   const Scalar away = payload_prior_.mass_mean - state_.payload.mean[0];

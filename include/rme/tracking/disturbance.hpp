@@ -111,7 +111,7 @@ class Disturbance {
   }
 
   /// How much better a payload explains the wrench than any wrench does: the log of the ratio of the two likelihoods of
-  /// all blocks since it began, the last one included (docs/theory.md (T48)). The payload takes the place of star's.
+  /// all blocks since it began, the last one included (docs/theory.md (T49)). The payload takes the place of star's.
   /// @param model    of the arm
   /// @param star     state; its errors, and those of its payload, are errors of the wrench as well
   /// @param payload  what may be held

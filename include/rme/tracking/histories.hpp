@@ -126,7 +126,7 @@ class Histories {
   Scalar innovation_squared() const noexcept { return innovation_squared_; }
   const JointTorqueModel<Scalar, Dofs>& model() const noexcept { return filter_.model(); }  ///< of the arm
 
-  /// Probability that something is poured, or that something else acts on the arm.
+  /// Probability that something is poured, or that something else acts on the arm, of this kind's stories.
   Scalar disturbed() const noexcept {
     Scalar sum = Scalar(0);
     for (int i = 0; i < count_; ++i)

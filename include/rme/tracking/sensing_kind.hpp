@@ -50,7 +50,8 @@ struct SensingKind {
 
 /// The kinds, in the order of Sensing.
 inline constexpr std::array<SensingKind, kSensings> kSensingKinds = {{
-    // evid fric lag   tool   res   least  largest way turn creep rest stic turn stop slow own com size memory settles change jolt depth quiet
+    // evidence friction lag tool; residual least largest way; turn creep creep_at_rest stiction turn_noise stop_noise
+    // slow; own common size memory settles; change takes_up jolt slowly depth; spread gain quiet draws
     {-8, 0, 0.125, 0.003, 0.015, 0.005, 0.1, 0.7,  0, 0,  0, 0, 0,   0,   0,
      4,  0, 0,     0.96,  100,   1e-3,  0,   1e-3, 1, 20, 1, 0, 1.5, true},
     {0, 1, 0.125, 0.003, 0.015, 0.005, 0.1,  0.7,  0, 0.05, 0, 0, 0,   0,   0,

@@ -57,8 +57,9 @@ struct JointObservation {
 ///     x ~ N(mean, F F^T),   beta_j | x ~ N(b_j + B_j x, V_j)
 ///
 /// A joint's torque depends only on x and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
-/// cost of a dense covariance. forget_payload(), pour() and end_pour() would couple the joints. Each of them gives the nearest
-/// star instead, which has the right mean and covariance of every pair (x, beta_j) (docs/theory.md, "The star").
+/// cost of a dense covariance. forget_payload(), widen_arm(), pour() and end_pour() would couple the joints. Each of
+/// them gives the nearest star instead, which has the right mean and covariance of every pair (x, beta_j)
+/// (docs/theory.md, "The star").
 ///
 /// F is a square root of the covariance of x, and is updated as such (Potter's form: Maybeck, Stochastic Models,
 /// Estimation, and Control 1, 7.3). So rounding cannot make the covariance indefinite, even in float. An empty hand has
@@ -68,7 +69,7 @@ template <typename Scalar, int Dofs>
 class StarGaussian {
  public:
   using X = SharedVector<Scalar>;                                 ///< 21x1
-  using XMatrix = SharedMatrix<Scalar>;                           ///< 21x17
+  using XMatrix = SharedMatrix<Scalar>;                           ///< 21x21
   using Beta = JointNuisanceVector<Scalar>;                       ///< 5x1
   using BetaMatrix = JointNuisanceMatrix<Scalar>;                 ///< 5x5
   using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 21x5
