@@ -273,6 +273,7 @@ TEST_CASE("SensorNoise: links are as wrong as the residuals of all joints say", 
     Joints one = Joints::Zero();
     one[3] = 1;
     CHECK(deviation(one) == Approx(rated / 3 * 0.1 / 9.81 / std::sqrt(7.0)).epsilon(0.1));
+    CHECK(Noise(kind_of(Sensing::RoughModel), arm).first_moment_variance() == 0);
   }
 }
 

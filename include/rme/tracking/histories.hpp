@@ -218,10 +218,12 @@ class Histories {
     using std::log;
     if (!due(i, t) || planned_ == kPlans) return;
     const Tale& parent = told(i);
-    const bool exchange = t.mode == Mode::Changing || t.anew;
+    const bool exchange = t.mode == Mode::Changing || t.anew || (t.mode == Mode::Empty && parent.mode == Mode::Held);
     auto log_probability = static_cast<Scalar>(log(t.probability));
-    if (exchange_likely_ && parent.settled())
-      log_probability = exchange ? log(Scalar(0.25)) : log_probability + log(Scalar(0.5));
+    if (exchange_likely_ && parent.settled()) {  // as much as everything else together
+      const double all = model().kind().change * (1 + (parent.mode == Mode::Held ? 2 : 1) * Transitions::kAtOnce);
+      log_probability += static_cast<Scalar>(log(exchange ? 0.5 / all : 0.5));
+    }
     if (parent.log_weight + log_probability < heaviest_ - depth()) return;
     plans_[at(planned_++)] = {i, t, log_probability};
   }
