@@ -79,7 +79,11 @@ TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of a dense Ga
       if (k > 0) disturbance.predict(Disturbing::Hand, 0.02, kRated);
       const Model model = random_model(random);
       // tau = h^T x + c^T beta + J^T w + noise. Jointly with x the wrench is not: x keeps its distribution.
-      const Matrix P = star.covariance(), W = disturbance.covariance();
+      // What is not known of the payload does not count.
+      Matrix P = star.covariance();
+      const Matrix W = disturbance.covariance();
+      P.rightCols(kShared - rme::kPayload).setZero();
+      P.bottomRows(kShared - rme::kPayload).setZero();
       const Matrix JT = oracle::transposed(model.block().jacobian);
       Matrix U(kDofs, kShared), own = Matrix::Zero(kDofs, kDofs);
       Vector e(kDofs);

@@ -74,7 +74,10 @@ class Disturbance {
       const Scalar own = jolt * model.arm().residual[j];
       p.given_shared += own * own;
       e[j] = p.innovation;
-      for (int i = 0; i < kShared; ++i) spread(j, i) = p.spread[i];
+      // An error of the payload is the same in all blocks, and the wrench takes it in the first. Counted in each, it would
+      // favour stories that know little of the payload.
+      const typename Star::X arm = star.arm_spread(p);
+      for (int i = 0; i < kShared; ++i) spread(j, i) = arm[i];
     }
     const Eigen::Matrix<Scalar, Dofs, 6> cross = detail::transposed_product(J, covariance_);
     total = detail::product(cross, J);

@@ -193,6 +193,15 @@ class StarGaussian {
     detail::add_scaled(joint.mean, -p.conditional_error, minus_gain);
     detail::add_outer(joint.covariance, minus_gain, p.nuisance_spread);
   }
+  /// F^T u without what the payload has in u: how an error of what belongs to the arm shows in an observation.
+  X arm_spread(const Prediction& p) const noexcept {
+    X out;
+    for (int k = 0; k < kShared; ++k) {
+      out[k] = Scalar(0);
+      for (int i = 0; i < kArmShared; ++i) out[k] += factor_(i, k) * p.gain_row[i];
+    }
+    return out;
+  }
   /// cov(x, y) = F F^T u of an observation.
   X covariance_row(const Prediction& p) const noexcept { return detail::product(factor_, p.spread); }
 
