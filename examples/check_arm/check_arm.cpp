@@ -1,13 +1,15 @@
-// check_arm: analyses an arm's torque with an empty hand, and finds the lightest payload that it can show.
+// check_arm: analyses an arm's torque with an empty hand, and promises how well payloads will be estimated.
 //
 // Reads logs in replay_log's format in which the hand is empty. Prints noise, offset, friction and what is left, joint
-// by joint; whether sign, units and frames can be right; the lightest payload that shows within 0.2, 1 and 5 s; and
-// what the estimator finds in the same logs with the settings that check_arm makes. With --output it writes these
-// settings (settings.json, for replay_log --config and for Estimator) and the data that plot.py draws. If other masses,
-// centres of mass and inertias of the links explain measured torque much better than those of the URDF, the settings
-// are for the corrected arm, which is written to corrected.urdf. The logs should show the motions that the arm makes at
-// work: each joint in both directions, slowly and fast, with stops. Exit codes: 0; 1 sign, units or frames of the
-// torque do not fit the arm; 2 unusable arguments; 3 unusable log or URDF.
+// by joint; whether sign, units and frames can be right; what the estimator finds in the logs with the settings that
+// check_arm makes; and the promise: the estimator's errors after 0.2, 1 and 5 s for payloads that are simulated onto
+// parts of the logs, with settings from the rest, which shows other poses. If its intervals hold the mass too seldom, the
+// settings are widened. With --output it writes the settings (settings.json, for replay_log --config and for Estimator)
+// and the data that plot.py draws. If other masses, centres of mass and inertias of the links explain measured torque
+// much better than those of the URDF, the settings are for the corrected arm, which is written to corrected.urdf. The
+// logs should show the motions that the arm makes at work: each joint in both directions, slowly and fast, with stops,
+// and on different paths. Exit codes: 0; 1 sign, units or frames of the torque do not fit the arm; 2 unusable arguments;
+// 3 unusable log or URDF.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,9 +20,11 @@
 #include <string>
 #include <vector>
 
+#include "check_arm/held_out.hpp"
 #include "check_arm/joint_findings.hpp"
 #include "check_arm/link_correction.hpp"
 #include "check_arm/observer_step.hpp"
+#include "check_arm/promise.hpp"
 #include "io/program.hpp"
 #include "replay_log/options.hpp"
 #include "replay_log/settings_model.hpp"
@@ -32,11 +36,8 @@ using namespace rme::examples;
 constexpr const char* kUsage = "usage: check_arm LOG.csv[.gz]... [options]\n";
 constexpr const char* kOwnUsage =
     "  --span T0:T1        use only the logs' rows of [T0, T1) [s]\n"
-    "  --mass M            mass of the payload for which the error of the centre of mass is printed [kg] (1)\n"
     "  --keep-links        do not correct the URDF's links\n"
     "  --output FOLDER     write settings.json and the data that plot.py draws there\n";
-
-constexpr double kWindows[] = {0.2, 1, 5};  // [s]
 
 template <int Dofs>
 struct Checked {
@@ -46,9 +47,8 @@ struct Checked {
 };
 
 template <int Dofs>
-Checked<Dofs> read(const std::vector<std::string>& files, const std::optional<std::vector<double>>& span,
-                   const ArmSettings<Dofs>& settings) {
-  Checked<Dofs> out;
+std::vector<Log<Dofs>> read(const std::vector<std::string>& files, const std::optional<std::vector<double>>& span) {
+  std::vector<Log<Dofs>> out;
   double seconds = 0;
   for (const std::string& file : files) {
     Log<Dofs> log = read_log<Dofs>(file);
@@ -56,13 +56,23 @@ Checked<Dofs> read(const std::vector<std::string>& files, const std::optional<st
     if (span) log = cropped(log, (*span)[0], (*span)[1]);
     if (log.size() < 2) throw LogError(log.name + ": has fewer than two rows, which gives no sample rate");
     require_empty_hand(log);
-    out.samples.push_back(samples_of(log, settings.arm, settings.config));
-    out.blocks.push_back(blocks_of(log, out.samples.back(), settings.arm));
-    seconds += out.blocks.back().duration.sum();
-    out.logs.push_back(log);
+    seconds += log.t.back() - log.t.front();
+    out.push_back(log);
   }
   if (seconds < 5)
     throw LogError(files.front() + ": 5 s of an empty hand are needed, the logs hold " + std::to_string(seconds));
+  return out;
+}
+
+/// The logs in blocks, as this arm's.
+template <int Dofs>
+Checked<Dofs> checked(const std::vector<Log<Dofs>>& logs, const ArmSettings<Dofs>& settings) {
+  Checked<Dofs> out;
+  out.logs = logs;
+  for (const Log<Dofs>& log : logs) {
+    out.samples.push_back(samples_of(log, settings.arm, settings.config));
+    out.blocks.push_back(blocks_of(log, out.samples.back(), settings.arm));
+  }
   return out;
 }
 
@@ -197,18 +207,16 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
 }
 
 /// Prints what the estimator finds in the logs; the hand is empty in all of them.
-/// @return the largest mass that it estimates while an empty hand has a probability below 10 % [kg]
 template <int Dofs>
-double print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& settings) {
-  double heaviest = 0;
+void print_beliefs(const Checked<Dofs>& data, const ArmSettings<Dofs>& settings) {
   std::printf("\nestimates in these logs, these settings     mean mass [kg]  largest, 90%% sure [kg]  empty  health\n");
-  for (std::size_t k = 0; k < checked.logs.size(); ++k) {
+  for (std::size_t k = 0; k < data.logs.size(); ++k) {
     ReplayOptions<Dofs> options;
     options.arm = settings.arm;
     options.estimator = settings.config;
-    double mass = 0, largest = 0, empty = 0, health = 0, time = 0, last = checked.logs[k].t.front();
+    double mass = 0, largest = 0, empty = 0, health = 0, time = 0, last = data.logs[k].t.front();
     replay<Dofs>(
-        checked.logs[k], checked.samples[k], options,
+        data.logs[k], data.samples[k], options,
         [&](const ReplayedEstimate& e) {
           const double step = e.t - last;
           last = e.t;
@@ -221,38 +229,39 @@ double print_beliefs(const Checked<Dofs>& checked, const ArmSettings<Dofs>& sett
         },
         [](const ReplayedPush&) {});
     std::printf("  %-40.40s %15.3f %23.3f %5.0f%% %7.1f\n",
-                checked.logs[k].name.substr(checked.logs[k].name.rfind('/') + 1).c_str(), mass / time, largest,
+                data.logs[k].name.substr(data.logs[k].name.rfind('/') + 1).c_str(), mass / time, largest,
                 100 * empty / time, health / time);
-    heaviest = std::max(heaviest, largest);
   }
-  return heaviest;
 }
 
 /// The results from the logs with one model of the arm.
 template <int Dofs>
 struct Findings {
-  Checked<Dofs> checked;
+  Checked<Dofs> data;
   std::vector<JointFindings> joints;
-  std::vector<Visibility> seen;
   ArmSettings<Dofs> settings;  ///< the settings that result
   bool good = true;            ///< sign, units and frames can be right
 };
 
-/// Analyses the logs and prints the results.
-/// @param mass  of the payload for which the error of the centre of mass is printed [kg]
 template <int Dofs>
-Findings<Dofs> check(const std::vector<std::string>& files, const std::optional<std::vector<double>>& span,
-                     const ArmSettings<Dofs>& settings, double mass) {
-  Findings<Dofs> out{read<Dofs>(files, span, settings), {}, {}, settings, true};
-  const Checked<Dofs>& checked = out.checked;
-  out.joints = find_joints(checked.blocks);
+Findings<Dofs> find(const std::vector<Log<Dofs>>& logs, const ArmSettings<Dofs>& settings) {
+  Findings<Dofs> out{checked(logs, settings), {}, settings, true};
+  out.joints = find_joints(out.data.blocks);
+  out.settings.config = settings_of<Dofs>(out.joints, settings);
+  out.settings.config.validate(0.001);
+  return out;
+}
+
+/// Analyses the logs and prints the results.
+template <int Dofs>
+Findings<Dofs> check(const std::vector<Log<Dofs>>& logs, const ArmSettings<Dofs>& settings) {
+  Findings<Dofs> out = find(logs, settings);
   print(out.joints);
-  const bool measured = checked.logs.front().tau_ext.empty();
+  const bool measured = logs.front().tau_ext.empty();
   out.good = judge_gravity(out.joints, measured);
   if (!measured) {
     double fastest = 0;
-    for (std::size_t k = 0; k < checked.logs.size(); ++k)
-      fastest = std::max(fastest, fastest_step(checked.logs[k].t, checked.logs[k].tau_ext, checked.logs[k].dq));
+    for (const Log<Dofs>& log : logs) fastest = std::max(fastest, fastest_step(log.t, log.tau_ext, log.dq));
     if (fastest > 0)
       std::printf("a step in tau_ext takes 1/%.0f s: the observer's bandwidth is at least %.0f rad/s; set: %g rad/s\n",
                   fastest, fastest, settings.config.observer_bandwidth);
@@ -260,47 +269,49 @@ Findings<Dofs> check(const std::vector<std::string>& files, const std::optional<
       std::printf("no step in tau_ext while the arm rests, so the observer's bandwidth does not show; set: %g rad/s\n",
                   settings.config.observer_bandwidth);
   }
-  for (const double window : kWindows)
-    out.seen.push_back(visibility(checked.blocks, out.joints, window, settings.config.rated_payload));
-  std::printf(
-      "\nwithin [s]   lightest payload that shows [kg]   mass +- [kg]  (expected)   centre of mass of %g kg +- [mm]\n",
-      mass);
-  for (const Visibility& v : out.seen) {
-    if (v.windows == 0)
-      std::printf("%10.1f   the logs are shorter\n", v.window);
-    else
-      std::printf("%10.1f   %32.3f   %12.3f  %10.3f   %30.0f\n", v.window, v.lightest(), v.mass, v.expected_mass,
-                  1e3 * v.moment / mass);
-  }
-  // The tracker assumes that the joints' errors are independent. An error that all joints have in common, such as that
-  // of a link's mass, looks more like a payload.
-  double surprise = 1;
-  for (const Visibility& v : out.seen)
-    if (v.windows > 0 && v.expected_mass > 0) surprise = std::max(surprise, v.mass / v.expected_mass);
-  if (surprise > 1.2)
-    std::printf("the empty hand's mass is uncertain by up to %.1f times as much as independent errors explain\n",
-                surprise);
-  out.settings.config = settings_of<Dofs>(out.joints, settings);
-  out.settings.config.validate(0.001);
-  const double false_mass = print_beliefs<Dofs>(checked, out.settings);
-  if (false_mass > 0)
-    std::printf("an empty hand was taken to hold up to %.3f kg: trust no lighter payload\n", false_mass);
   return out;
 }
 
-/// Tests whether other links and rotors explain the logs much better, and prints the result. If so, writes them to
-/// `better`.
+/// Fits links and rotors to the logs.
+template <int Dofs>
+LinkCorrection fit_links(const Findings<Dofs>& found) {
+  std::vector<LinkRegressors> regressors;
+  for (std::size_t k = 0; k < found.data.logs.size(); ++k)
+    regressors.push_back(link_regressors(found.data.logs[k], found.data.samples[k], found.settings.arm));
+  std::vector<RigidBody> bodies;
+  for (const Link& link : found.settings.chain->links) bodies.push_back(link.body);
+  return correct_links(found.data.blocks, regressors, found.joints, bodies);
+}
+
+/// The arm with other links and rotors.
+template <int Dofs>
+ArmSettings<Dofs> with_links(ArmSettings<Dofs> settings, const LinkCorrection& correction) {
+  const Eigen::Vector3d gravity = settings.arm.model.gravity_vector;
+  for (std::size_t l = 0; l < settings.chain->links.size(); ++l)
+    settings.chain->links[l].body = corrected(settings.chain->links[l].body, correction.addition[l]);
+  for (int j = 0; j < Dofs; ++j) settings.arm.rotor_inertia[j] += correction.rotor[static_cast<std::size_t>(j)];
+  settings.arm.model = arm_model<Dofs>(*settings.chain);
+  settings.arm.model.gravity_vector = gravity;
+  settings.corrected = true;
+  return settings;
+}
+
+/// The arm with friction that grows with its own weight, as the joints show it.
+template <int Dofs>
+ArmSettings<Dofs> with_load_friction(ArmSettings<Dofs> settings, const std::vector<JointFindings>& joints) {
+  for (int j = 0; j < Dofs; ++j) {
+    const double more = joints[static_cast<std::size_t>(j)].coulomb_per_load;
+    settings.arm.load_friction[j] += more;
+    settings.corrected = settings.corrected || more > 0;
+  }
+  return settings;
+}
+
+/// Tests whether other links and rotors explain the logs much better, and prints the result.
 /// @return whether they do
 template <int Dofs>
-bool judge_links(const Findings<Dofs>& found, const ArmSettings<Dofs>& settings, ArmSettings<Dofs>& better) {
+bool judge_links(const Findings<Dofs>& found, const LinkCorrection& correction) {
   constexpr double kWorthwhile = 2.0 / 3;  // of what is left
-  const Checked<Dofs>& checked = found.checked;
-  std::vector<LinkRegressors> regressors;
-  for (std::size_t k = 0; k < checked.logs.size(); ++k)
-    regressors.push_back(link_regressors(checked.logs[k], checked.samples[k], settings.arm));
-  std::vector<RigidBody> bodies;
-  for (const Link& link : settings.chain->links) bodies.push_back(link.body);
-  const LinkCorrection correction = correct_links(checked.blocks, regressors, found.joints, bodies);
   std::printf(
       "\nother masses, centres and inertias of the links and rotors would leave %.0f %% of what is left, out of sample",
       100 * correction.left);
@@ -309,21 +320,119 @@ bool judge_links(const Findings<Dofs>& found, const ArmSettings<Dofs>& settings,
     return false;
   }
   std::printf(":\nlink                      mass [kg]: URDF, corrected    centre [m]: URDF, corrected\n");
-  for (std::size_t l = 0; l < bodies.size(); ++l) {
-    const RigidBody& was = bodies[l];
-    RigidBody& body = better.chain->links[l].body;
-    body = corrected(was, correction.addition[l]);
-    std::printf("%-30.30s %9.3f %9.3f   %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f\n", settings.chain->joints[l].name.c_str(),
-                was.mass, body.mass, was.com[0], was.com[1], was.com[2], body.com[0], body.com[1], body.com[2]);
+  const UrdfChain& chain = *found.settings.chain;
+  for (std::size_t l = 0; l < chain.links.size(); ++l) {
+    const RigidBody &was = chain.links[l].body, body = corrected(was, correction.addition[l]);
+    std::printf("%-30.30s %9.3f %9.3f   %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f\n", chain.joints[l].name.c_str(), was.mass,
+                body.mass, was.com[0], was.com[1], was.com[2], body.com[0], body.com[1], body.com[2]);
   }
-  for (int j = 0; j < Dofs; ++j) better.arm.rotor_inertia[j] += correction.rotor[static_cast<std::size_t>(j)];
-  better.arm.model = arm_model<Dofs>(*better.chain);
-  better.arm.model.gravity_vector = settings.arm.model.gravity_vector;
   return true;
 }
 
+/// What was decided from all logs: what is corrected in the arm, and its kind of torque sensing.
+struct Decisions {
+  bool links = false, friction = false;
+  std::optional<rme::Sensing> sensing;
+};
+
+/// The settings that the logs give, with these decisions.
 template <int Dofs>
-void write(const std::string& folder, const Findings<Dofs>& found) {
+ArmSettings<Dofs> settings_from(const std::vector<Log<Dofs>>& logs, const ArmSettings<Dofs>& given,
+                                const Decisions& decisions) {
+  Findings<Dofs> found = find(logs, given);
+  ArmSettings<Dofs> arm = given;
+  if (decisions.links) {
+    arm = with_links(arm, fit_links(found));
+    found = find(logs, arm);
+  }
+  if (decisions.friction) found = find(logs, with_load_friction(arm, found.joints));
+  found.settings.config.sensing = decisions.sensing;
+  return found.settings;
+}
+
+/// The promise and what it is made from.
+struct Promised {
+  HeldOutTest test;
+  Promise promise;
+  double widening = 1;  ///< factor on the settings' noise, offset and residual
+};
+
+/// Tests settings from each rest of the logs on the part that was left out, and widens them until the intervals hold the
+/// mass often enough.
+/// @param parts  at least one
+template <int Dofs>
+Promised rehearse(const std::vector<Log<Dofs>>& logs, const std::vector<HeldOut>& parts, const ArmSettings<Dofs>& given,
+                  const Decisions& decisions) {
+  constexpr double kLeast = 0.8, kStep = 1.5, kWidest = 8;
+  constexpr int kInstants = 16;  // over all parts' spans
+  std::vector<ArmSettings<Dofs>> settings;
+  std::size_t spans = 0;
+  for (const HeldOut& part : parts) {
+    std::vector<Log<Dofs>> rest;
+    for (const LogSpan& span : part.rest) rest.push_back(cropped(logs[span.log], span.begin, span.end));
+    settings.push_back(settings_from(rest, given, decisions));
+    spans += part.part.size();
+  }
+  Promised best;
+  for (double factor = 1; factor < kWidest; factor *= kStep) {
+    Promised out;
+    out.widening = factor;
+    std::mt19937_64 random(1);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      ArmSettings<Dofs> wider = settings[k];
+      wider.config = widened(wider.config, factor);
+      for (const LogSpan& span : parts[k].part) {
+        const Log<Dofs>& log = logs[span.log];
+        rehearse(log, samples_of(log, wider.arm, wider.config), wider, span.begin, span.end,
+                 std::max(3, kInstants / static_cast<int>(spans)), random, out.test);
+      }
+    }
+    out.promise = promise_of(out.test, given.config.rated_payload);
+    if (factor == 1 || out.promise.coverage > best.promise.coverage) best = out;
+    if (best.promise.coverage >= kLeast) break;
+  }
+  return best;
+}
+
+void print(const Promised& promised) {
+  const Promise& promise = promised.promise;
+  std::printf(
+      "\nthe promise: what the estimator finds of payloads that are simulated onto %.0f s of these logs, with "
+      "settings\n"
+      "from the rest, in which the arm is on another path\n"
+      "after [s]   arm         answers   error of mass [kg]   19 of 20 below   90 %% intervals hold   centre of mass "
+      "[mm]\n",
+      promised.test.seconds);
+  for (const PromiseRow& row : promise.rows)
+    std::printf("%9.1f   %-9s %9d %20.3f %16.3f %19.0f %% %21.0f\n", kAfter[row.after], row.moving ? "moves" : "rests",
+                row.answers, row.error, row.worst, 100 * row.coverage, 1e3 * row.centre);
+  std::printf("lightest payload that is found in 95 %%:");
+  for (std::size_t after = 0; after < kAfter.size(); ++after) {
+    const double mass = promise.lightest[after];
+    if (std::isfinite(mass))
+      std::printf("%s %.3g kg within %g s", after > 0 ? "," : "", mass, kAfter[after]);
+    else
+      std::printf("%s none within %g s", after > 0 ? "," : "", kAfter[after]);
+  }
+  const double hours = promised.test.seconds / 3600;
+  std::printf("\nfalse payloads: %d in %.0f s, %.0f an hour", promised.test.false_payloads, promised.test.seconds,
+              promised.test.false_payloads / hours);
+  if (promised.test.false_payloads == 0) std::printf(" (so short a log shows no fewer than %.0f)", 3 / hours);
+  if (promised.test.largest_mass > 0)
+    std::printf("; an empty hand was taken to hold up to %.3f kg: trust no lighter payload",
+                promised.test.largest_mass);
+  std::printf("\n");
+  if (promised.widening > 1)
+    std::printf(
+        "noise, offset and residual in the settings are %.2g times what the logs show, since intervals held too "
+        "seldom\n",
+        promised.widening);
+  if (promise.coverage < 0.8)
+    std::printf("no such widening makes the intervals hold in 80 %%: do not trust them on this arm\n");
+}
+
+template <int Dofs>
+void write(const std::string& folder, const Findings<Dofs>& found, const Promised* promised) {
   make_folder("--output", folder);
   const ArmSettings<Dofs>& settings = found.settings;
   nlohmann::json json = rme::estimator_config_to_json(settings.config);
@@ -334,12 +443,12 @@ void write(const std::string& folder, const Findings<Dofs>& found) {
     std::ofstream(folder + "/corrected.urdf") << to_urdf(*settings.chain);
   }
   std::ofstream(folder + "/settings.json") << json.dump(2) << "\n";
-  std::ofstream blocks(folder + "/blocks.csv"), windows(folder + "/windows.csv");
+  std::ofstream blocks(folder + "/blocks.csv"), trials(folder + "/trials.csv");
   blocks << "log,t";
   for (const char* name : {"tau", "dq", "left"})
     for (int j = 1; j <= Dofs; ++j) blocks << ',' << name << j;
-  for (std::size_t k = 0; k < found.checked.blocks.size(); ++k) {
-    const LogBlocks& log = found.checked.blocks[k];
+  for (std::size_t k = 0; k < found.data.blocks.size(); ++k) {
+    const LogBlocks& log = found.data.blocks[k];
     const Eigen::MatrixXd left = unexplained(log, k, found.joints);
     for (Eigen::Index i = 0; i < log.blocks(); ++i) {
       blocks << '\n' << k << ',' << log.end[i];
@@ -347,12 +456,17 @@ void write(const std::string& folder, const Findings<Dofs>& found) {
         for (int j = 0; j < Dofs; ++j) blocks << ',' << (*m)(i, j);
     }
   }
-  windows << "window,mass,expected,moment";
-  for (const Visibility& v : found.seen)
-    windows << '\n' << v.window << ',' << v.mass << ',' << v.expected_mass << ',' << v.moment;
+  trials << "t,mass,weighed,after,moving,found,error,deviation,centre";
+  if (promised)
+    for (const Trial& trial : promised->test.trials)
+      for (const TrialAnswer& answer : trial.answers)
+        trials << '\n'
+               << trial.t << ',' << trial.mass << ',' << (trial.share >= kWeighed) << ',' << kAfter[answer.after] << ','
+               << answer.moving << ',' << answer.found << ',' << answer.error << ',' << answer.deviation << ','
+               << answer.centre;
   blocks << '\n';
-  windows << '\n';
-  if (!blocks.flush() || !windows.flush()) throw LogError(folder + ": cannot be written");
+  trials << '\n';
+  if (!blocks.flush() || !trials.flush()) throw LogError(folder + ": cannot be written");
 }
 
 template <int Dofs>
@@ -360,8 +474,6 @@ int run(Arguments& arguments, const ArmRequest& request) {
   const ArmSettings<Dofs> settings = parse_settings<Dofs>(arguments, request);
   const auto span = arguments.numbers("--span", 2, ':');
   if (span && !((*span)[0] < (*span)[1])) throw ArgumentError("--span: T0 must be below T1");
-  const double mass = arguments.number("--mass").value_or(1);
-  if (!(mass > 0)) throw ArgumentError("--mass: must be above 0 kg");
   const bool keep_links = arguments.flag("--keep-links");
   const auto folder = arguments.text("--output");
   std::vector<std::string> files;
@@ -370,26 +482,28 @@ int run(Arguments& arguments, const ArmRequest& request) {
   for (const std::string& note : settings.notes) std::fprintf(stderr, "check_arm: %s\n", note.c_str());
   std::printf("%s, %d joints, rated for %.3g kg\n\n", settings.arm.model.name.c_str(), Dofs,
               settings.config.rated_payload);
-  Findings<Dofs> found = check<Dofs>(files, span, settings, mass);
-  for (std::size_t k = 0; k < found.checked.logs.size(); ++k)
-    for (const std::string& note : found.checked.samples[k].timing.notes())
-      std::fprintf(stderr, "check_arm: %s: %s\n", found.checked.logs[k].name.c_str(), note.c_str());
-  const bool good = found.good, measured = found.checked.logs.front().tau_ext.empty();
+  const std::vector<Log<Dofs>> logs = read<Dofs>(files, span);
+  Findings<Dofs> found = check<Dofs>(logs, settings);
+  for (std::size_t k = 0; k < logs.size(); ++k)
+    for (const std::string& note : found.data.samples[k].timing.notes())
+      std::fprintf(stderr, "check_arm: %s: %s\n", logs[k].name.c_str(), note.c_str());
+  const bool good = found.good, measured = logs.front().tau_ext.empty();
+  Decisions decisions;
   if (good && measured && settings.chain && !keep_links) {
     ArmSettings<Dofs> better = settings;
-    const bool links = judge_links<Dofs>(found, settings, better);
+    const LinkCorrection correction = fit_links(found);
+    decisions.links = judge_links(found, correction);
     // With wrong links the load is wrong, and friction may only seem to grow with it: fit it again.
-    if (links) found.joints = find_joints(read<Dofs>(files, span, better).blocks);
-    bool friction = false;
-    for (int j = 0; j < Dofs; ++j) {
-      const double more = found.joints[static_cast<std::size_t>(j)].coulomb_per_load;
-      friction = friction || more > 0;
-      better.arm.load_friction[j] += more;
+    if (decisions.links) {
+      better = with_links(better, correction);
+      found.joints = find(logs, better).joints;
     }
-    if (links || friction) {
-      better.corrected = true;
+    better = with_load_friction(better, found.joints);
+    decisions.friction = std::any_of(found.joints.begin(), found.joints.end(),
+                                     [](const JointFindings& joint) { return joint.coulomb_per_load > 0; });
+    if (decisions.links || decisions.friction) {
       std::printf("\nthe same logs, with");
-      if (links) {
+      if (decisions.links) {
         std::printf(" these links, rotors of");
         for (int j = 0; j < Dofs; ++j) std::printf("%s %.3g", j > 0 ? "," : "", better.arm.rotor_inertia[j]);
         std::printf(" kg m^2, gear included,\nand");
@@ -397,14 +511,30 @@ int run(Arguments& arguments, const ArmRequest& request) {
       std::printf(" friction that takes");
       for (int j = 0; j < Dofs; ++j) std::printf("%s %.3g", j > 0 ? "," : "", better.arm.load_friction[j]);
       std::printf(" of the gravity torque that the arm itself puts on a joint:\n\n");
-      found = check<Dofs>(files, span, better, mass);
+      found = check<Dofs>(logs, better);
     }
+  }
+  std::optional<Promised> promised;
+  if (good) {
+    std::vector<LogPath> paths;
+    for (const Log<Dofs>& log : logs) paths.push_back(path_of(log));
+    const std::vector<HeldOut> parts = held_out_parts(paths);
+    if (parts.empty()) {
+      std::printf(
+          "\nno promise: these logs show one path only. Record another one, or a longer log with other poses\n");
+    } else {
+      decisions.sensing = found.settings.config.sensing;
+      promised = rehearse(logs, parts, settings, decisions);
+      print(*promised);
+      found.settings.config = widened(found.settings.config, promised->widening);
+    }
+    print_beliefs<Dofs>(found.data, found.settings);
   }
   if (!folder) {
     std::printf("--output FOLDER writes the settings\n");
     return good ? 0 : 1;
   }
-  write<Dofs>(*folder, found);
+  write<Dofs>(*folder, found, promised ? &*promised : nullptr);
   std::printf("the settings are in %s/settings.json\n", folder->c_str());
   if (found.settings.corrected)
     std::printf(

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <rme/tracking/arm_prior.hpp>
 
 namespace rme::examples {
 
@@ -20,11 +19,6 @@ double deviation(Eigen::VectorXd values) {
   double* const middle = values.data() + values.size() / 2;
   std::nth_element(values.data(), middle, values.data() + values.size());
   return *middle / 0.6745;
-}
-
-/// Correlation of the residuals of two neighbouring blocks.
-double kept(double duration, double correlation_time) {
-  return correlation_time > 0 ? std::exp(-duration / correlation_time) : 0;
 }
 
 /// Offset for each log, Coulomb and viscous friction, by least squares over the blocks in which the joint moves.
@@ -137,10 +131,6 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
   return A.ldlt().solve(b);
 }
 
-Eigen::Vector4d solve(const Eigen::Matrix4d& A, const Eigen::Vector4d& b) {
-  return A.ldlt().solve(b);
-}
-
 Eigen::MatrixXd unexplained(const LogBlocks& log, std::size_t number, const std::vector<JointFindings>& joints) {
   Eigen::MatrixXd out = log.tau;
   for (Eigen::Index j = 0; j < log.joints(); ++j) {
@@ -218,72 +208,6 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
     }
     joint.gravity_seen = std::sqrt((gravity.array() - gravity.mean()).square().mean()) > kGravity;
     joint.gravity_slope = least_squares_slope(tau, gravity, joint.gravity_correlation);
-  }
-  return out;
-}
-
-Visibility visibility(const std::vector<LogBlocks>& logs, const std::vector<JointFindings>& joints, double window,
-                      double rated) {
-  constexpr Eigen::Index kBefore = 5;  // blocks just before the window, whose mean is known
-  Visibility out;
-  out.window = window;
-  const auto prior = PayloadPrior<double>::of(rated);
-  // For an object of a tenth of the rated payload. This prior matters only for the centre of mass along gravity, which
-  // one pose does not show.
-  const double scale = 0.1 * rated;
-  Eigen::Matrix4d P = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d lever;
-  lever << 1, prior.com_mean;
-  P = lever * lever.transpose() * prior.mass_std * prior.mass_std;
-  P.bottomRightCorner<3, 3>().diagonal() += scale * scale * prior.com_std.cwiseAbs2();
-  const Eigen::Matrix4d information = P.inverse();
-  double squares = 0, expected = 0, moments = 0;
-  for (std::size_t k = 0; k < logs.size(); ++k) {
-    const LogBlocks& log = logs[k];
-    if (log.blocks() == 0) continue;
-    const double block = log.duration.mean();
-    const auto n = std::max<Eigen::Index>(1, std::lround(window / block));
-    if (log.blocks() < n + kBefore) continue;
-    const Eigen::MatrixXd e = unexplained(log, k, joints);
-    std::vector<Eigen::LLT<Eigen::MatrixXd>> factors;
-    std::vector<Eigen::VectorXd> keep;  // predicted share of the mean just before, for each block
-    for (const JointFindings& joint : joints) {
-      const double rho = kept(block, joint.correlation_time), r = joint.residual * joint.residual,
-                   s = joint.noise * joint.noise;
-      const double gain = r > 0 ? r / (r + s / kBefore) : 0;
-      Eigen::VectorXd decay(n);
-      for (Eigen::Index i = 0; i < n; ++i) decay[i] = std::pow(rho, static_cast<double>(i) + 0.5 * (kBefore + 1));
-      Eigen::MatrixXd C(n, n);
-      for (Eigen::Index i = 0; i < n; ++i)
-        for (Eigen::Index l = 0; l < n; ++l)
-          C(i, l) = r * (std::pow(rho, static_cast<double>(std::abs(i - l))) - gain * decay[i] * decay[l]);
-      C.diagonal().array() += s;
-      factors.emplace_back(C);
-      keep.push_back(gain * decay);
-    }
-    for (Eigen::Index begin = kBefore; begin + n <= log.blocks(); begin += std::max<Eigen::Index>(1, n / 2)) {
-      Eigen::Matrix4d A = information;
-      Eigen::Vector4d b = Eigen::Vector4d::Zero();
-      for (std::size_t j = 0; j < joints.size(); ++j) {
-        const auto column = static_cast<Eigen::Index>(j);
-        const Eigen::MatrixXd H = log.payload[j].middleRows(begin, n);
-        const double before = e.col(column).segment(begin - kBefore, kBefore).mean();
-        const Eigen::VectorXd y = e.col(column).segment(begin, n) - before * keep[j];
-        const Eigen::MatrixXd whitened = factors[j].solve(H);
-        A += H.transpose() * whitened;
-        b += whitened.transpose() * y;
-      }
-      const Eigen::Vector4d found = solve(A, b);
-      squares += found[0] * found[0];
-      moments += found.tail<3>().squaredNorm() / 3;
-      expected += A.inverse()(0, 0);
-      ++out.windows;
-    }
-  }
-  if (out.windows > 0) {
-    out.mass = std::sqrt(squares / out.windows);
-    out.expected_mass = std::sqrt(expected / out.windows);
-    out.moment = std::sqrt(moments / out.windows);
   }
   return out;
 }

@@ -39,29 +39,8 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs);
 /// @param number  index of the log in find_joints()
 Eigen::MatrixXd unexplained(const LogBlocks& log, std::size_t number, const std::vector<JointFindings>& joints);
 
-/// The payload that is estimated from the torque of an empty hand in windows of `window` seconds. The estimate uses
-/// what the tracker knows: offset, friction, noise, the residual's size and correlation, and its value just before the
-/// window.
-struct Visibility {
-  double window = 0;         ///< length of a window [s]
-  int windows = 0;           ///< number of windows in the logs
-  double mass = 0;           ///< root mean square of the estimated mass [kg]
-  double expected_mass = 0;  ///< the same, expected from noise and residual if the joints' errors are independent [kg]
-  double moment = 0;         ///< root mean square of the estimated m r, per axis [kg m]
-  /// Lightest payload that shows: four times `mass`, so that one in a hundred windows would show it wrongly and one in
-  /// twenty would miss it [kg].
-  double lightest() const { return 4 * mass; }
-};
-
 /// A^-1 b of a symmetric positive definite A, of which only the lower triangle is read. Compiled once: Eigen's LDL^T takes
 /// long.
 Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
-Eigen::Vector4d solve(const Eigen::Matrix4d& A, const Eigen::Vector4d& b);
-
-/// Estimates a payload in all windows of this length; they overlap by half.
-/// @param window  length of a window [s]
-/// @param rated   rated payload of the arm [kg]
-Visibility visibility(const std::vector<LogBlocks>& logs, const std::vector<JointFindings>& joints, double window,
-                      double rated);
 
 }  // namespace rme::examples

@@ -1,33 +1,25 @@
-// score_run: compares estimates on a run with a known payload with those of least squares.
+// score_run: compares rme with other methods on a run with a known payload.
 //
 // Plays a log in which the hand holds a known mass from beginning to end. If --empty names a log of an empty hand, that
-// log is played directly before. Prints a row of a Markdown table for
-//
-//   rme                    the estimator's estimates over time
-//   batch least squares    one estimate of (m, m r), offsets and friction from the whole run, made afterwards
-//   recursive, forgetting  with --empty: (m, m r) from the last seconds, after the offset and friction of the empty log
-//                          are subtracted: the usual method for online use
-//   KDL's wrench           if the log has measured torque: the force along gravity at the tip as found by Orocos KDL's
-//                          ChainExternalWrenchEstimator, divided by gravity, averaged over the last seconds; once from
-//                          the torque as it is and, with --empty, once after offset and friction are subtracted
-//
-// With --mass 0 the hand is empty during the run. With --add, a simulated payload is added to what the hand holds, and
-// KDL's wrench is left out. If it was built without Orocos KDL, the program says so and leaves KDL's rows out. Exit
-// codes: 0; 2 unusable arguments; 3 unusable log.
+// log is played directly before. Prints a row of a Markdown table for rme and for each of its rivals
+// (examples/rivals/rivals.hpp), with the same settings for all. With --tare, the rivals' offset and friction come from
+// that log of an empty hand; without it, from --empty. With --mass 0 the hand is empty during the run. With --add, a
+// simulated payload is added to what the hand holds, and KDL's wrench is left out. With --output, the estimates over
+// time are written for plot.py, and the scores are appended to a table that page.py reads. Exit codes: 0; 2 unusable
+// arguments; 3 unusable log.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "check_arm/joint_findings.hpp"
 #include "io/program.hpp"
 #include "paper/injection/payload_injection.hpp"
 #include "replay_log/options.hpp"
-#ifdef RME_HAS_KDL
-#include "real_arms/kdl_wrench.hpp"
-#endif
+#include "rivals/run_score.hpp"
 
 namespace {
 
@@ -37,103 +29,54 @@ constexpr const char* kUsage = "usage: score_run LOG.csv[.gz] --mass KG [options
 constexpr const char* kOwnUsage =
     "  --mass KG           mass that the hand holds [kg]\n"
     "  --add KG            mass of a simulated payload in addition, 6 cm from the tip [kg]\n"
-    "  --empty LOG.csv     log of an empty hand, which is played first; friction and offsets for recursive least\n"
-    "                      squares and KDL come from it\n"
+    "  --empty LOG.csv     log of an empty hand, which is played first\n"
+    "  --tare LOG.csv      log of an empty hand, from which the rivals have offset and friction (that of --empty)\n"
+    "  --weights W.json    the network of the published pipeline, which is left out without it\n"
     "  --name TEXT         name of the run, for the table\n"
-    "  --header            print the table's header as well\n";
+    "  --header            print the table's header as well\n"
+    "  --output DIR        append the scores to DIR/scores.csv, and write the estimates to DIR/NAME.csv, for plot.py\n";
 
-constexpr double kNinety = 1.6448536269514722;
-constexpr double kSettles = 5, kEarly = 10, kMemory = 5;  // [s]
-
-struct Belief {
-  double t, mass, deviation;  // since the beginning of the run [s]; estimate and its standard deviation [kg]
-};
-
-/// Prints a row of the table. Means are over time, from kSettles on.
-/// @param honest  whether the method states a standard deviation
-void print(const std::string& run, const char* what, const std::vector<Belief>& beliefs, double truth, bool honest) {
-  double error = 0, held = 0, time = 0, early = 0, largest = 0;
-  for (std::size_t i = 0; i < beliefs.size(); ++i) {
-    const Belief& b = beliefs[i];
-    const double step = i > 0 ? b.t - beliefs[i - 1].t : 0, off = std::abs(b.mass - truth);
-    if (b.t <= kEarly) early = off;
-    if (b.t < kSettles) continue;
-    error += step * off;
-    held += off <= kNinety * b.deviation ? step : 0;
-    time += step;
-    if (b.mass > 1.2816 * b.deviation) largest = std::max(largest, b.mass);
-  }
-  char share[16] = "";
-  if (honest) std::snprintf(share, sizeof share, "%.0f", 100 * held / time);
-  std::printf("| %s | %s | %.3f | %.3f | %.3f | %.3f | %s | %.2f |\n", run.c_str(), what, error / time, early,
-              std::abs(beliefs.back().mass - truth), beliefs.back().mass, share, largest);
+/// A cell of the table: the number, or nothing if there is none.
+std::string cell(double value, const char* format = "%.3f") {
+  if (!std::isfinite(value)) return "";
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
 }
 
-/// Mass by least squares over all blocks, with each joint's offset and friction.
-double batch(const LogBlocks& log, const Eigen::VectorXd& weight) {
-  const Eigen::Index joints = log.joints(), n = 4 + 3 * joints;
-  Eigen::MatrixXd A = 1e-6 * Eigen::MatrixXd::Identity(n, n);
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
-  for (Eigen::Index j = 0; j < joints; ++j) {
-    for (Eigen::Index i = 0; i < log.blocks(); ++i) {
-      Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
-      row.head<4>() = log.payload[static_cast<std::size_t>(j)].row(i);
-      row.segment<3>(4 + 3 * j) << 1, -log.direction(i, j), -log.velocity(i, j);
-      A += weight[j] * row * row.transpose();
-      b += weight[j] * row * log.tau(i, j);
-    }
-  }
-  return solve(A, b)[0];
+void print(const std::string& run, const Rival& method, double truth, const RunScore& score) {
+  const bool online = method.masses.size() > 1, empty = truth == 0;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  std::printf("| %s | %s | %s | %s | %s | %s | %s | %s |\n", run.c_str(), method.name.c_str(),
+              cell(online ? score.mean_error : none).c_str(), cell(online ? score.largest_error : none).c_str(),
+              cell(score.end_error).c_str(), cell(empty || !online ? none : score.close, "%.1f").c_str(),
+              cell(empty ? score.largest_mass : none).c_str(), cell(100 * score.held, "%.0f").c_str());
 }
 
-std::vector<Belief> recursive(const LogBlocks& log, const Eigen::MatrixXd& torque, const Eigen::VectorXd& weight,
-                              double begin) {
-  Eigen::Matrix4d A = 1e-3 * Eigen::Matrix4d::Identity();
-  Eigen::Vector4d b = Eigen::Vector4d::Zero();
-  std::vector<Belief> out;
-  for (Eigen::Index i = 0; i < log.blocks(); ++i) {
-    const double keep = std::exp(-log.duration[i] / kMemory);
-    A *= keep;
-    b *= keep;
-    for (Eigen::Index j = 0; j < log.joints(); ++j) {
-      const Eigen::Vector4d h = log.payload[static_cast<std::size_t>(j)].row(i);
-      A += weight[j] * h * h.transpose();
-      b += weight[j] * h * torque(i, j);
-    }
-    out.push_back({log.end[i] - begin, solve(A, b)[0], 0});
-  }
-  return out;
+/// The run's name as a file's.
+std::string file_name(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '.'; }, '_');
+  return name;
 }
 
-#ifdef RME_HAS_KDL
-/// KDL's mass, averaged with the same memory as recursive least squares.
-/// @param known  offset and friction to subtract, in the shape of blocks.tau [N m]; or empty
-template <int Dofs>
-std::vector<Belief> kdl_wrench(const Log<Dofs>& log, const Samples<Dofs>& samples, const LogBlocks& blocks,
-                               const RecordedArm<Dofs>& arm, double sign, const Eigen::MatrixXd& known) {
-  constexpr double kGain = 50;  // as that of the other observers [1/s]
-  // Of 1e-5, 0.03, 0.1, 0.2, 0.3 and 0.5, the best value for KDL on these recordings. With 1e-5, its default, the error
-  // is tens of kilograms: near singular poses it divides friction by almost zero.
-  constexpr double kSingular = 0.1;
-  KdlTipMass<Dofs> tip(arm.model, arm.rotor_inertia, samples.timing.period, kGain, kSingular);
-  std::vector<Belief> out;
-  Eigen::Index block = 0;
-  double sum = 0, weight = 0;
-  for (std::size_t k = 0; k < samples.sample.size(); ++k) {
-    const std::size_t row = samples.row[k];
-    const double t = log.t[row], step = k > 0 ? t - log.t[samples.row[k - 1]] : samples.timing.period;
-    rme::JointVector<double, Dofs> tau = sign * arm.gains.cwiseProduct(log.tau[row]);
-    while (block + 1 < blocks.blocks() && blocks.end[block] < t) ++block;
-    if (known.size() > 0)  // tau_ext is the model's torque minus tau
-      tau += known.row(block).transpose() - load_friction(arm, log.q[row], samples.sample[k].dq);
-    const double keep = std::exp(-step / kMemory);
-    sum = keep * sum + step * tip.update(log.q[row], samples.sample[k].dq, tau);
-    weight = keep * weight + step;
-    out.push_back({t - log.t.front(), sum / weight, 0});
+/// Appends the scores, and writes the estimates.
+void write(const std::string& folder, const std::string& run, double truth, double begin,
+           const std::vector<Rival>& methods, const std::vector<RunScore>& scores) {
+  std::ofstream table(folder + "/scores.csv", std::ios::app);
+  if (table.tellp() == 0) table << "run,by,truth,mean,largest,end,close,false,held\n";
+  std::ofstream file(folder + "/" + file_name(run) + ".csv");
+  file << "by,t,mass,deviation,truth\n";
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    const RunScore& s = scores[i];
+    table << '"' << run << "\",\"" << methods[i].name << "\"," << truth << ',' << s.mean_error << ',' << s.largest_error
+          << ',' << s.end_error << ',' << s.close << ',' << s.largest_mass << ',' << s.held << '\n';
+    for (const MassAt& m : methods[i].masses)
+      file << '"' << methods[i].name << "\"," << m.t - begin << ',' << m.mass << ',' << m.deviation << ',' << truth
+           << '\n';
   }
-  return out;
+  if (!table.flush() || !file.flush()) throw LogError("--output: cannot write to " + folder);
 }
-#endif
 
 /// One log after the other, a period apart.
 template <int Dofs>
@@ -170,11 +113,12 @@ int run(Arguments& arguments, const ArmRequest& request) {
   const double added = arguments.number("--add").value_or(0);
   if (!(added >= 0)) throw ArgumentError("--add: must be the mass of a simulated payload, 0 or more kg");
   const double held = *mass + added;
-  const auto empty = arguments.text("--empty");
+  const auto empty = arguments.text("--empty"), tare = arguments.text("--tare"), name = arguments.text("--name"),
+             weights = arguments.text("--weights"), folder = arguments.text("--output");
   const bool header = arguments.flag("--header");
-  const auto name = arguments.text("--name");
   const std::string file = arguments.positional("LOG.csv");
   arguments.finish();
+  if (folder) make_folder("--output", *folder);
   const auto read = [&](const std::string& path) {
     Log<Dofs> log = read_log<Dofs>(path);
     require_external_torque(log);
@@ -182,31 +126,18 @@ int run(Arguments& arguments, const ArmRequest& request) {
     return log;
   };
   const Log<Dofs> log = read(file);
-  if (header)
-    std::printf(
-        "| run | by | mean error from 5 s on [kg] | error at 10 s [kg] | error at the end [kg] | mass at the end [kg] "
-        "| 90 %% interval holds [%%] | largest mass, 90 %% sure [kg] |\n|---|---|---:|---:|---:|---:|---:|---:|\n");
-  const std::string title = name.value_or(file.substr(file.rfind('/') + 1));
-  const Samples<Dofs> samples = samples_of(log, settings.arm, settings.config);
-  const LogBlocks blocks = blocks_of(log, loaded(log, samples, settings.arm, added, log.t.front()), settings.arm);
-  Eigen::VectorXd weight = Eigen::VectorXd::Ones(Dofs);
-  Eigen::MatrixXd without_friction = blocks.tau;
-  Log<Dofs> life = log;
-  if (empty) {
-    const Log<Dofs> before = read(*empty);
-    if (before.tau_ext.empty() != log.tau_ext.empty() || before.dq.empty() != log.dq.empty())
-      throw LogError(before.name + ": has other columns than " + log.name);
-    const std::vector<LogBlocks> logs = {
-        blocks_of(before, samples_of(before, settings.arm, settings.config), settings.arm)};
-    const std::vector<JointFindings> joints = find_joints(logs);
-    without_friction = unexplained(blocks, 0, joints);
-    const Eigen::MatrixXd left = unexplained(logs.front(), 0, joints);
-    for (int j = 0; j < Dofs; ++j)
-      weight[j] = 1 / std::max(1e-8, left.col(j).squaredNorm() / static_cast<double>(left.rows()));
-    life = joined(before, log);
-  }
+  std::optional<Log<Dofs>> before, known;
+  if (empty) before = read(*empty);
+  if (tare || empty) known = read(tare ? *tare : *empty);
+  if (before && (before->tau_ext.empty() != log.tau_ext.empty() || before->dq.empty() != log.dq.empty()))
+    throw LogError(before->name + ": has other columns than " + log.name);
+  std::optional<NetworkFile> network;
+  if (weights) network = read_network_file(*weights);
+  if (log.t.back() - log.t.front() < 6) throw LogError(log.name + ": is shorter than 6 s");
+
+  const Log<Dofs> life = before ? joined(*before, log) : log;
   const double begin = life.t.back() - (log.t.back() - log.t.front());
-  std::vector<Belief> beliefs;
+  Rival ours{"rme", {}};
   ReplayOptions<Dofs> options;
   options.arm = settings.arm;
   options.estimator = settings.config;
@@ -214,25 +145,28 @@ int run(Arguments& arguments, const ArmRequest& request) {
       life, loaded(life, samples_of(life, settings.arm, settings.config), settings.arm, added, begin), options,
       [&](const ReplayedEstimate& e) {
         if (e.t >= begin)
-          beliefs.push_back({e.t - begin, e.state.payload.mean[0], e.state.payload.standard_deviation()[0]});
+          ours.masses.push_back(
+              {e.t - begin + log.t.front(), e.state.payload.mean[0], e.state.payload.standard_deviation()[0]});
       },
       [](const ReplayedPush&) {});
-  if (beliefs.empty() || beliefs.back().t < kSettles + 1) throw LogError(log.name + ": is shorter than 6 s");
-  print(title, "rme", beliefs, held, true);
-  const double hindsight = batch(blocks, weight);
-  std::printf("| | batch least squares | | | %.3f | %.3f | | |\n", std::abs(hindsight - held), hindsight);
-  if (empty)
-    print("", "recursive, forgetting", recursive(blocks, without_friction, weight, log.t.front()), held, false);
-  if (!log.tau_ext.empty() || added > 0) return 0;  // KDL takes the torque that the motors give
-#ifdef RME_HAS_KDL
-  const double sign = static_cast<double>(settings.config.torque_sign);
-  print("", "KDL's wrench", kdl_wrench(log, samples, blocks, settings.arm, sign, {}), held, false);
-  if (empty)
-    print("", "KDL's wrench, friction known",
-          kdl_wrench(log, samples, blocks, settings.arm, sign, blocks.tau - without_friction), held, false);
-#else
-  std::fprintf(stderr, "score_run: built without Orocos KDL (liborocos-kdl-dev): no rows of its wrench estimator\n");
-#endif
+  if (ours.masses.empty()) throw LogError(log.name + ": no sample of it can be used");
+
+  const Samples<Dofs> samples =
+      loaded(log, samples_of(log, settings.arm, settings.config), settings.arm, added, log.t.front());
+  std::vector<Rival> methods =
+      run_rivals<Dofs>({log, samples, settings, known ? &*known : nullptr, network ? &*network : nullptr, added > 0});
+  methods.insert(methods.begin(), ours);
+  const double moved = moved_for(log, samples, 2);
+  std::vector<RunScore> scores;
+  for (const Rival& method : methods) scores.push_back(score_run(method.masses, held, log.t.front(), moved));
+  if (header)
+    std::printf(
+        "| run | by | mean error from 5 s on [kg] | largest error after 2 s of motion [kg] | error at the end [kg] | "
+        "within 10 %% after [s] | false mass [kg] | 90 %% interval holds [%%] |\n"
+        "|---|---|---:|---:|---:|---:|---:|---:|\n");
+  const std::string title = name.value_or(file.substr(file.rfind('/') + 1));
+  for (std::size_t i = 0; i < methods.size(); ++i) print(i == 0 ? title : "", methods[i], held, scores[i]);
+  if (folder) write(*folder, title, held, log.t.front(), methods, scores);
   return 0;
 }
 

@@ -2,18 +2,23 @@
 //
 // Reads a CSV log (plain or gzip) of a Franka Panda, or of the arm that --urdf describes. Columns are found by their
 // names: t, q1.. and either tau_ext1.., or tau1.. (measured torque, gravity included, or motor current) with dq1..;
-// optional are dq1.. and the truth m, rx, ry, rz. Prints a table with a line for each event, or with --json each
-// estimate as one JSON object per line. Assumptions and irregular time stamps are reported on stderr, or with --json in
+// optional are dq1.. and the truth m, rx, ry, rz. Prints a table with a line for each event, also for one that is not over
+// when the log ends, or with --json each estimate as one JSON object per line. With --compare, other methods
+// (examples/rivals/rivals.hpp) estimate the mass in the same log, too. Assumptions and irregular time stamps are reported on stderr, or with --json in
 // objects of type "note". Exit codes: 0; 2 unusable arguments; 3 unreadable log or URDF.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "io/program.hpp"
 #include "replay_log/options.hpp"
+#include "rivals/rivals.hpp"
 
 namespace {
 
@@ -22,7 +27,10 @@ using nlohmann::ordered_json;
 using rme::Mode;
 
 constexpr const char* kUsage = "usage: replay_log LOG.csv[.gz] [options]\n";
-constexpr const char* kOwnUsage = "  --json              print each estimate as one JSON object per line\n";
+constexpr const char* kOwnUsage =
+    "  --json              print each estimate as one JSON object per line\n"
+    "  --compare           other methods estimate the mass as well; the published pipeline needs --weights\n"
+    "  --tare LOG.csv      with --compare: log of an empty hand, from which the others have offset and friction\n";
 
 /// Log odds of a payload, or an empty hand, against a push [nats].
 double log_odds(const rme::EstimatorState<double>& state) {
@@ -85,6 +93,52 @@ ordered_json to_json(const ReplayedPush& r) {
   return out;
 }
 
+/// What the likeliest mode of an event that goes on is called.
+const char* ongoing_kind(const rme::EstimatorState<double>& state) {
+  const auto& p = state.probability;
+  if (p[Mode::Disturbed] >= std::max(p[Mode::Changing], p[Mode::Pouring])) return "pushed";
+  return p[Mode::Changing] >= p[Mode::Pouring] ? "changing" : "filling";
+}
+
+/// An event that is not over at the end of the log.
+ordered_json ongoing_json(const ReplayedEstimate& last) {
+  return {{"type", "ongoing"},
+          {"kind", ongoing_kind(last.state)},
+          {"t", last.t},
+          {"detected_at", *last.detected_at},
+          {"mass", last.state.payload.mean[0]}};
+}
+
+void print_ongoing(const ReplayedEstimate& last) {
+  std::printf("    - %8.3f %8s  %7.3f +- %5.3f  %s, not over at the end of the log, %.1f s later: health %.1f\n",
+              *last.detected_at, "-", last.state.payload.mean[0], last.state.payload.standard_deviation()[0],
+              ongoing_kind(last.state), last.t - *last.detected_at, last.state.health);
+}
+
+/// Mean over time of the mass error [kg]; NaN if the log has no truth.
+template <int Dofs>
+double mean_error(const Rival& method, const Log<Dofs>& log) {
+  if (log.truth.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0;
+  std::size_t row = 0, estimate = 0;
+  for (; row < log.size(); ++row) {
+    while (estimate + 1 < method.masses.size() && method.masses[estimate + 1].t <= log.t[row]) ++estimate;
+    const bool any = method.masses[estimate].t <= log.t[row];
+    sum += std::abs((any ? method.masses[estimate].mass : 0) - log.truth[row][0]);
+  }
+  return sum / static_cast<double>(log.size());
+}
+
+template <int Dofs>
+void print(const std::vector<Rival>& methods, const Log<Dofs>& log) {
+  std::printf("\n%-24s %20s  %s\n", "by", "mass at the end [kg]", log.truth.empty() ? "" : "mean error [kg]");
+  for (const Rival& method : methods) {
+    std::printf("%-24s %20.3f", method.name.c_str(), method.masses.back().mass);
+    if (!log.truth.empty() && method.masses.size() > 1) std::printf("  %15.3f", mean_error(method, log));
+    std::printf("\n");
+  }
+}
+
 void print_row(const ReplayedPush& r) {
   std::printf("    - %8.3f %8.3f  pushed\n", r.detected_at, r.t);
 }
@@ -119,12 +173,20 @@ ordered_json guess_of(const NetworkFile& file, const Log<Dofs>& log, const Sampl
 
 template <int Dofs>
 int run(Arguments& arguments, const ArmRequest& arm) {
-  const bool json = arguments.flag("--json");
+  const bool json = arguments.flag("--json"), compare = arguments.flag("--compare");
+  const auto tare = arguments.text("--tare");
+  if (tare && !compare) throw ArgumentError("--tare: means nothing without --compare");
   const ReplayRequest<Dofs> request = parse_replay<Dofs>(arguments, arm);
   const std::string file = arguments.positional("LOG.csv");
   arguments.finish();
   const Log<Dofs> log = read_log<Dofs>(file);
   require_external_torque(log);
+  std::optional<Log<Dofs>> empty;
+  if (tare) {
+    empty = read_log<Dofs>(*tare);
+    require_external_torque(*empty);
+    require_empty_hand(*empty);
+  }
   const Samples<Dofs> samples = samples_of(log, request.options.arm, request.options.estimator);
   std::vector<std::string> notes = request.notes;
   for (const std::string& note : samples.timing.notes()) notes.push_back(log.name + ": " + note);
@@ -138,7 +200,11 @@ int run(Arguments& arguments, const ArmRequest& arm) {
     std::printf("%5s %8s %8s  %16s  %16s  %16s  %16s  %8s\n", "event", "from [s]", "at [s]", "mass [kg]", "x [mm]",
                 "y [mm]", "z [mm]", "took[us]");
   }
+  Rival ours{"rme", {}};
+  std::optional<ReplayedEstimate> last;
   const auto on_estimate = [&](const ReplayedEstimate& e) {
+    last = e;
+    ours.masses.push_back({e.t, e.state.payload.mean[0], e.state.payload.standard_deviation()[0]});
     if (!json) {
       print_row(e);
       return;
@@ -154,7 +220,21 @@ int run(Arguments& arguments, const ArmRequest& arm) {
       print_row(r);
   };
   const ReplaySummary summary = replay<Dofs>(log, samples, request.options, on_estimate, on_push);
+  const bool ongoing = last && last->state.changing && !request.options.at;
+  std::vector<Rival> methods;
+  if (compare) {
+    const ArmSettings<Dofs> settings{request.options.arm, request.options.estimator, std::nullopt, false, {}};
+    methods = run_rivals<Dofs>(
+        {log, samples, settings, empty ? &*empty : nullptr, request.weights ? &*request.weights : nullptr, false});
+    if (!ours.masses.empty()) methods.insert(methods.begin(), ours);
+  }
   if (json) {
+    if (ongoing) std::cout << ongoing_json(*last).dump() << "\n";
+    for (const Rival& method : methods)
+      if (method.name != ours.name)
+        for (const MassAt& at : method.masses)
+          std::cout << ordered_json({{"type", "rival"}, {"by", method.name}, {"t", at.t}, {"mass", at.mass}}).dump()
+                    << "\n";
     ordered_json out;
     out["type"] = "summary";
     out["samples"] = summary.samples;
@@ -162,7 +242,9 @@ int run(Arguments& arguments, const ArmRequest& arm) {
     out["rejected"] = summary.rejected;
     std::cout << out.dump() << "\n";
   } else {
+    if (ongoing) print_ongoing(*last);
     std::printf("%zu samples, %d estimates, %d rejected\n", summary.samples, summary.estimates, summary.rejected);
+    if (compare) print(methods, log);
   }
   return 0;
 }

@@ -3,7 +3,7 @@
 // rme's side has the host's model in it as well; its own share is a row for itself.
 #include <cmath>
 #include <cstdio>
-#include <real_arms/kdl_wrench.hpp>
+#include <rivals/kdl_wrench.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <rme/sensing/pseudo_wrench.hpp>
 #include <synthetic_arm/panda.hpp>

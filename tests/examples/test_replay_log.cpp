@@ -212,6 +212,62 @@ TEST_CASE("replay_log: measured torque goes through the arm's own observer first
   CHECK(lines[0]["com"][0].get<double>() == Approx(0.05).margin(0.006));
 }
 
+/// A panda that rests in its ready pose for 6 s, with an external torque on joint 1 from 1 s to `end`: a hand that pushes
+/// sideways, which no weight does.
+std::string pushed_log(double end) {
+  const auto& arm = rme::examples::panda();
+  std::ostringstream text;
+  text.precision(12);
+  text << "t";
+  for (const char* name : {"q", "tau_ext"})
+    for (int j = 1; j <= 7; ++j) text << ',' << name << j;
+  for (int k = 0; k < 1500; ++k) {
+    const double t = 4e-3 * k;
+    text << '\n' << t;
+    for (int j = 0; j < 7; ++j) text << ',' << arm.ready[j];
+    for (int j = 0; j < 7; ++j) text << ',' << (j == 0 && t >= 1 && t < end ? 8.0 : 0.01 * std::sin(900.0 * k + j));
+  }
+  return text.str() + '\n';
+}
+
+TEST_CASE("replay_log: a push has a row, also if it is not over when the log ends", "[replay_log]") {
+  const TemporaryFile over("over.csv", pushed_log(4)), goes_on("goes_on.csv", pushed_log(10));
+  const std::string ended = output_of("--bandwidth 0 " + over.name).text,
+                    ongoing = output_of("--bandwidth 0 " + goes_on.name).text;
+  CHECK_THAT(ended, contains("pushed\n") && !contains("not over"));
+  CHECK_THAT(ongoing, contains("pushed, not over at the end of the log, 4.9 s later") || contains("5.0 s later"));
+  const auto lines = replayed("--bandwidth 0 " + goes_on.name);
+  REQUIRE(lines.size() > 1);
+  const json& last = lines[lines.size() - 2];
+  CHECK(last["type"] == "ongoing");
+  CHECK(last["kind"] == "pushed");
+  CHECK(last["detected_at"].get<double>() == Approx(1.03).margin(0.05));
+  for (const json& line : replayed("--bandwidth 0 " + over.name)) CHECK(line["type"] != "ongoing");
+}
+
+TEST_CASE("replay_log: --compare shows what other methods estimate in the same log", "[replay_log]") {
+  const TemporaryFile log("compared.csv", measured_torque_log({1.0, {0.05, 0, 0.1}}));
+  const std::string options = "--compare ";
+  double last = -1;
+  for (const json& line : replayed(options + log.name)) {
+    if (line["type"] != "rival" || line["by"] != "recursive least squares") continue;
+    CHECK(line["t"].get<double>() > last);
+    last = line["t"];
+    if (last > 1.55) CHECK(line["mass"].get<double>() > 0.2);  // of 1 kg for a third of the time that it remembers
+    if (last < 0.9) CHECK(std::abs(line["mass"].get<double>()) < 0.01);
+  }
+  CHECK(last > 1.55);
+  const std::string table = output_of(options + log.name).text;
+  for (const char* by : {"\nrme ", "\nrecursive least squares ", "\nobserver-matched ", "\nbatch least squares "})
+    CHECK_THAT(table, contains(by));
+  const std::string weights = " --weights \"" RME_NETWORK "\" ";
+  CHECK_THAT(output_of(options + weights + log.name).text, contains("\npublished pipeline "));
+  CHECK_THAT(output_of(options + log_of("link_side")).text, contains("mean error [kg]"));  // it has the truth
+  CHECK(errors_of("--tare " + log.name + " " + log.name).exit_code == 2);
+  CHECK_THAT(errors_of(options + "--tare " + log_of("link_side") + " " + log.name).text,
+             contains("the hand holds something"));
+}
+
 #ifdef RME_HAS_URDFDOM
 const std::string six_joints = "--urdf \"" RME_TEST_DATA "/urdf/six_joints_5kg.urdf\" --base base_link --tip tool0 ";
 

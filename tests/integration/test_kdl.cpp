@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
-#include <real_arms/kdl_wrench.hpp>
 #include <replay_log/estimators.hpp>
+#include <rivals/kdl_wrench.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <string>
 #include <urdf_arm/urdf_chain.hpp>
