@@ -4,6 +4,12 @@ namespace rme::examples {
 
 namespace {
 
+LinearAttractorConfig<double> attractor_config(const Eigen::Vector3d& target) {
+  return {target, 1.5, 0.4};
+}
+OrientationAttractorConfig<double> orientation_config(const Eigen::Quaterniond& target) {
+  return {target, 3};
+}
 LimitCycleConfig<double> cycle_config(const HostConfig& config) {
   LimitCycleConfig<double> cycle;
   cycle.center = config.target;
@@ -30,9 +36,9 @@ CpicConfig<double, 7> cpic_config(const ArmModel<7>& model) {
 
 Host::Host(const ArmModel<7>& model, const HostConfig& config)
     : config_(config),
-      attractor_({config.target, 1.5, 0.4}),
+      attractor_(attractor_config(config.target)),
       cycle_(cycle_config(config)),
-      orientation_({config.orientation, 3}),
+      orientation_(orientation_config(config.orientation)),
       posture_({config.posture, 4, 3}),
       limits_(limits_config(model, config)),
       wall_poles_(config.sampled ? BarrierPoles<double>(6, 30).sampled(config.period) : BarrierPoles<double>(6, 30)),
@@ -44,10 +50,13 @@ Host::Host(const ArmModel<7>& model, const HostConfig& config)
   if (config.tank) tank_.emplace(config.period, *config.tank);
 }
 
-auto Host::update(const SyntheticArm<7>& arm, const Vector& compensation) noexcept -> const Vector& {
-  const Kinematics<7>& kinematics = arm.kinematics();
-  const Dynamics<7>& dynamics = arm.dynamics();  // nominal: the payload is not in it
-  const Vector &q = arm.q(), &dq = arm.dq();
+void Host::follow(const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
+  attractor_ = LinearAttractor<double>(attractor_config(position));
+  orientation_ = OrientationAttractor<double>(orientation_config(orientation));
+}
+
+auto Host::update(const Vector& q, const Vector& dq, const Kinematics<7>& kinematics, const Dynamics<7>& dynamics,
+                  const Vector& compensation) noexcept -> const Vector& {
   const Twist<double> twist = Twist<double>::from_vector(kinematics.jacobian * dq);
   const Flow<double> flow = config_.cycle_radius ? cycle_(kinematics.position) : attractor_(kinematics.position);
   status_ = passive_.update(flow, orientation_(kinematics.rotation), twist);

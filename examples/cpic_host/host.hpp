@@ -78,7 +78,16 @@ class Host {
   /// One tick.
   /// @param compensation  torque that carries the payload [N m]; a CompensationRamp limits its rate
   /// @return the torque to command [N m], gravity included
-  const Vector& update(const SyntheticArm<7>& arm, const Vector& compensation) noexcept;
+  const Vector& update(const SyntheticArm<7>& arm, const Vector& compensation) noexcept {
+    return update(arm.q(), arm.dq(), arm.kinematics(), arm.dynamics(), compensation);
+  }
+  /// The same with what an arm reports.
+  /// @param dynamics  nominal: the payload is not in it
+  const Vector& update(const Vector& q, const Vector& dq, const Kinematics<7>& kinematics, const Dynamics<7>& dynamics,
+                       const Vector& compensation) noexcept;
+  /// Another pose from now on, for the attractors; a cycle and the tank stay where they are. Not for a control thread:
+  /// throws if a number is not finite.
+  void follow(const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation);
 
   /// Sets the estimate of the payload, for the tank's potential. Until the first call, the hand is empty.
   void set_payload(const Payload<double>& payload) noexcept { payload_ = payload; }

@@ -17,7 +17,12 @@ class UrdfError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-inline constexpr int kFewestJoints = 4, kMostJoints = 8;  ///< for which the programs are compiled
+#ifndef RME_JOINT_COUNTS
+#define RME_JOINT_COUNTS 4, 8
+#endif
+inline constexpr int kJointCounts[] = {RME_JOINT_COUNTS};
+inline constexpr int kFewestJoints = kJointCounts[0],
+                     kMostJoints = kJointCounts[1];  ///< for which programs are compiled
 
 /// A joint of the chain, with its limits.
 struct ChainJoint {
@@ -75,22 +80,14 @@ ArmModel<Dofs> arm_model(const UrdfChain& chain) {
 ///     with_joint_count(chain.dofs(), [&](auto n) { return replay<n()>(arm_model<n()>(chain)); });
 ///
 /// @throws std::invalid_argument if the programs are not compiled for that many joints
-template <typename Function>
+template <int Dofs = kFewestJoints, typename Function>
 auto with_joint_count(int dofs, Function&& function) {
-  switch (dofs) {
-    case 4:
-      return function(std::integral_constant<int, 4>());
-    case 5:
-      return function(std::integral_constant<int, 5>());
-    case 6:
-      return function(std::integral_constant<int, 6>());
-    case 7:
-      return function(std::integral_constant<int, 7>());
-    case 8:
-      return function(std::integral_constant<int, 8>());
-    default:
-      throw std::invalid_argument("an arm of " + std::to_string(dofs) + " joints; the programs are compiled for " +
-                                  std::to_string(kFewestJoints) + " to " + std::to_string(kMostJoints));
+  if (dofs == Dofs) return function(std::integral_constant<int, Dofs>());
+  if constexpr (Dofs < kMostJoints) {
+    return with_joint_count<Dofs + 1>(dofs, std::forward<Function>(function));
+  } else {
+    throw std::invalid_argument("an arm of " + std::to_string(dofs) + " joints; the programs are compiled for " +
+                                std::to_string(kFewestJoints) + " to " + std::to_string(kMostJoints));
   }
 }
 
