@@ -1,14 +1,14 @@
 // check_arm: analyses an arm's torque with an empty hand, and promises how well payloads will be estimated.
 //
-// Reads logs in replay_log's format in which the hand is empty. Prints noise, offset, friction and what is left, joint
-// by joint; whether sign, units and frames can be right; what the estimator finds in the logs with the settings that
-// check_arm makes; and the promise: the estimator's errors after 0.2, 1 and 5 s for payloads that are simulated onto
-// parts of the logs, with settings from the rest, which shows other poses. If its intervals hold the mass too seldom, the
-// settings are widened. With --output it writes the settings (settings.json, for replay_log --config and for Estimator)
-// and the data that plot.py draws. If other masses, centres of mass and inertias of the links explain measured torque
-// much better than those of the URDF, the settings are for the corrected arm, which is written to corrected.urdf. The
-// logs should show the motions that the arm makes at work: each joint in both directions, slowly and fast, with stops,
-// and on different paths. Exit codes: 0; 1 sign, units or frames of the torque do not fit the arm; 2 unusable arguments;
+// Reads logs in replay_log's format in which the hand is empty. Says what is wrong with them, and which command mends
+// it. Prints noise, offset, friction and what is left, joint by joint; what the estimator finds in the logs with the
+// settings that check_arm makes; and the promise: the estimator's errors after 0.2, 1 and 5 s for payloads that are
+// simulated onto parts of the logs, with settings from the rest, which shows other poses. If its intervals hold the mass
+// too seldom, the settings are widened. With --output it writes the settings (settings.json, for replay_log --config and
+// for Estimator) and the data that plot.py draws. If other masses, centres of mass and inertias of the links explain
+// measured torque much better than those of the URDF, the settings are for the corrected arm, which is written to
+// corrected.urdf. The logs should show the motions that the arm makes at work: each joint in both directions, slowly and
+// fast, with stops, and on different paths. Exit codes: 0; 1 something is wrong with a log; 2 unusable arguments;
 // 3 unusable log or URDF.
 #include <algorithm>
 #include <cmath>
@@ -26,6 +26,7 @@
 #include "check_arm/observer_step.hpp"
 #include "check_arm/promise.hpp"
 #include "io/program.hpp"
+#include "log_diagnosis/recorded_log.hpp"
 #include "replay_log/options.hpp"
 #include "replay_log/settings_model.hpp"
 
@@ -39,30 +40,61 @@ constexpr const char* kOwnUsage =
     "  --keep-links        do not correct the URDF's links\n"
     "  --output FOLDER     write settings.json and the data that plot.py draws there\n";
 
+/// The logs, and how they are read.
+struct Inputs {
+  std::vector<std::string> files;
+  std::optional<std::vector<double>> span;  ///< [s]
+  LogFormat format;
+  std::vector<std::string> joints;  ///< of the arm
+};
+
+template <int Dofs>
+std::vector<FormattedLog<Dofs>> read(const Inputs& inputs) {
+  std::vector<FormattedLog<Dofs>> out;
+  double seconds = 0;
+  for (const std::string& file : inputs.files) {
+    out.push_back(read_formatted_log<Dofs>(file, inputs.format, inputs.joints));
+    Log<Dofs>& log = out.back().log;
+    require_external_torque(log);
+    if (inputs.span) log = cropped(log, (*inputs.span)[0], (*inputs.span)[1]);
+    if (log.size() < 2) throw LogError(log.name + ": has fewer than two rows, which gives no sample rate");
+    require_empty_hand(log);
+    seconds += log.t.back() - log.t.front();
+  }
+  if (seconds < 5)
+    throw LogError(inputs.files.front() + ": 5 s of an empty hand are needed, the logs hold " +
+                   std::to_string(seconds));
+  return out;
+}
+
+/// Prints how the logs were read, and what is wrong with them.
+/// @param mending  the options that mend the first log with which something is wrong
+/// @return whether they can be used
+template <int Dofs>
+bool judge_logs(const std::vector<FormattedLog<Dofs>>& logs, const LogFormat& format, const ArmSettings<Dofs>& settings,
+                std::string& mending) {
+  bool usable = true;
+  for (const FormattedLog<Dofs>& log : logs) {
+    const char* name = log.log.name.c_str();
+    for (const std::string& note : log.notes) std::fprintf(stderr, "check_arm: %s: %s\n", name, note.c_str());
+    const Diagnosis diagnosis = diagnose(log, settings.arm, settings.config, format, false);
+    std::printf("%s: %s\n", name, diagnosis.sentence().c_str());
+    for (const std::string& remark : diagnosis.remarks) std::printf("%s: %s\n", name, remark.c_str());
+    if (!log.log.tau_ext.empty() && diagnosis.usable())
+      std::printf("the sign of tau_ext does not show here: hang a known weight on the arm\n");
+    if (usable) mending = diagnosis.options();
+    usable = usable && diagnosis.usable();
+  }
+  std::printf("\n");
+  return usable;
+}
+
 template <int Dofs>
 struct Checked {
   std::vector<Log<Dofs>> logs;
   std::vector<Samples<Dofs>> samples;
   std::vector<LogBlocks> blocks;
 };
-
-template <int Dofs>
-std::vector<Log<Dofs>> read(const std::vector<std::string>& files, const std::optional<std::vector<double>>& span) {
-  std::vector<Log<Dofs>> out;
-  double seconds = 0;
-  for (const std::string& file : files) {
-    Log<Dofs> log = read_log<Dofs>(file);
-    require_external_torque(log);
-    if (span) log = cropped(log, (*span)[0], (*span)[1]);
-    if (log.size() < 2) throw LogError(log.name + ": has fewer than two rows, which gives no sample rate");
-    require_empty_hand(log);
-    seconds += log.t.back() - log.t.front();
-    out.push_back(log);
-  }
-  if (seconds < 5)
-    throw LogError(files.front() + ": 5 s of an empty hand are needed, the logs hold " + std::to_string(seconds));
-  return out;
-}
 
 /// The logs in blocks, as this arm's.
 template <int Dofs>
@@ -129,39 +161,6 @@ void print(const std::vector<JointFindings>& joints) {
         "friction grows with what joint %s carries, by the model's gravity: a payload adds friction, which the "
         "estimator does not model\n",
         growing.c_str());
-  std::printf("\n");
-}
-
-/// Prints whether sign, units and frames can be right: with an empty hand, the external torque contains no gravity.
-/// @return whether they can
-bool judge_gravity(const std::vector<JointFindings>& joints, bool measured) {
-  constexpr double kFollows = 0.5, kCorrelated = 0.8;
-  bool good = true;
-  int seen = 0;
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const JointFindings& joint = joints[j];
-    if (!joint.gravity_seen) continue;
-    ++seen;
-    if (std::abs(joint.gravity_slope) < kFollows || std::abs(joint.gravity_correlation) < kCorrelated) continue;
-    good = false;
-    // At rest, measured torque gives tau_ext = g - tau. So tau_ext is about g if tau lacks gravity, and about 2 g if
-    // tau has the opposite sign.
-    const char* reason = "another unit (--gains), or another arm";
-    if (measured && joint.gravity_slope > 1.5)
-      reason = "tau seems to have the opposite sign: --torque-sign reaction";
-    else if (measured && joint.gravity_slope > kFollows)
-      reason = "tau seems to be without gravity, which belongs in a column tau_ext, or in amperes (--gains)";
-    else if (!measured)
-      reason = "tau_ext seems to include gravity, which belongs in a column tau";
-    std::printf("joint %zu: the torque follows the model's gravity by %.2f (correlation %.2f): %s\n", j + 1,
-                joint.gravity_slope, joint.gravity_correlation, reason);
-  }
-  if (good && seen > 0)
-    std::printf("sign, units and frames of the torque can be right: no joint follows the model's gravity\n");
-  if (seen == 0)
-    std::printf("gravity hardly changes in these logs: they do not show whether sign, units and frames are right\n");
-  if (!measured) std::printf("the sign of tau_ext does not show here: hang a known weight on the arm\n");
-  return good;
 }
 
 template <int Dofs>
@@ -240,12 +239,11 @@ struct Findings {
   Checked<Dofs> data;
   std::vector<JointFindings> joints;
   ArmSettings<Dofs> settings;  ///< the settings that result
-  bool good = true;            ///< sign, units and frames can be right
 };
 
 template <int Dofs>
 Findings<Dofs> find(const std::vector<Log<Dofs>>& logs, const ArmSettings<Dofs>& settings) {
-  Findings<Dofs> out{checked(logs, settings), {}, settings, true};
+  Findings<Dofs> out{checked(logs, settings), {}, settings};
   out.joints = find_joints(out.data.blocks);
   out.settings.config = settings_of<Dofs>(out.joints, settings);
   out.settings.config.validate(0.001);
@@ -257,9 +255,7 @@ template <int Dofs>
 Findings<Dofs> check(const std::vector<Log<Dofs>>& logs, const ArmSettings<Dofs>& settings) {
   Findings<Dofs> out = find(logs, settings);
   print(out.joints);
-  const bool measured = logs.front().tau_ext.empty();
-  out.good = judge_gravity(out.joints, measured);
-  if (!measured) {
+  if (!logs.front().tau_ext.empty()) {
     double fastest = 0;
     for (const Log<Dofs>& log : logs) fastest = std::max(fastest, fastest_step(log.t, log.tau_ext, log.dq));
     if (fastest > 0)
@@ -350,6 +346,8 @@ ArmSettings<Dofs> settings_from(const std::vector<Log<Dofs>>& logs, const ArmSet
   return found.settings;
 }
 
+constexpr double kLeastCoverage = 0.8;  // of the 90 % intervals; below that, settings are widened
+
 /// The promise and what it is made from.
 struct Promised {
   HeldOutTest test;
@@ -363,7 +361,7 @@ struct Promised {
 template <int Dofs>
 Promised rehearse(const std::vector<Log<Dofs>>& logs, const std::vector<HeldOut>& parts, const ArmSettings<Dofs>& given,
                   const Decisions& decisions) {
-  constexpr double kLeast = 0.8, kStep = 1.5, kWidest = 8;
+  constexpr double kStep = 1.5, kWidest = 8;
   constexpr int kInstants = 16;  // over all parts' spans
   std::vector<ArmSettings<Dofs>> settings;
   std::size_t spans = 0;
@@ -389,7 +387,7 @@ Promised rehearse(const std::vector<Log<Dofs>>& logs, const std::vector<HeldOut>
     }
     out.promise = promise_of(out.test, given.config.rated_payload);
     if (factor == 1 || out.promise.coverage > best.promise.coverage) best = out;
-    if (best.promise.coverage >= kLeast) break;
+    if (best.promise.coverage >= kLeastCoverage) break;
   }
   return best;
 }
@@ -427,8 +425,9 @@ void print(const Promised& promised) {
         "noise, offset and residual in the settings are %.2g times what the logs show, since intervals held too "
         "seldom\n",
         promised.widening);
-  if (promise.coverage < 0.8)
-    std::printf("no such widening makes the intervals hold in 80 %%: do not trust them on this arm\n");
+  if (promise.coverage < kLeastCoverage)
+    std::printf("no such widening makes the intervals hold in %.0f %%: do not trust them on this arm\n",
+                100 * kLeastCoverage);
 }
 
 template <int Dofs>
@@ -476,20 +475,29 @@ int run(Arguments& arguments, const ArmRequest& request) {
   if (span && !((*span)[0] < (*span)[1])) throw ArgumentError("--span: T0 must be below T1");
   const bool keep_links = arguments.flag("--keep-links");
   const auto folder = arguments.text("--output");
-  std::vector<std::string> files;
-  do files.push_back(arguments.positional("LOG.csv"));
+  Inputs inputs{{}, span, parse_format(arguments), joint_names(request)};
+  do inputs.files.push_back(arguments.positional("LOG.csv"));
   while (!arguments.empty());
   for (const std::string& note : settings.notes) std::fprintf(stderr, "check_arm: %s\n", note.c_str());
   std::printf("%s, %d joints, rated for %.3g kg\n\n", settings.arm.model.name.c_str(), Dofs,
               settings.config.rated_payload);
-  const std::vector<Log<Dofs>> logs = read<Dofs>(files, span);
+  const std::vector<FormattedLog<Dofs>> formatted = read<Dofs>(inputs);
+  std::string mending;
+  if (!judge_logs(formatted, inputs.format, settings, mending)) {
+    if (mending.empty())
+      std::printf("no option mends this\n");
+    else
+      std::printf("try: check_arm %s\n", arguments.with(mending + (folder ? "" : " --output checked")).c_str());
+    return 1;
+  }
+  std::vector<Log<Dofs>> logs;
+  for (const FormattedLog<Dofs>& log : formatted) logs.push_back(log.log);
   Findings<Dofs> found = check<Dofs>(logs, settings);
   for (std::size_t k = 0; k < logs.size(); ++k)
     for (const std::string& note : found.data.samples[k].timing.notes())
       std::fprintf(stderr, "check_arm: %s: %s\n", logs[k].name.c_str(), note.c_str());
-  const bool good = found.good, measured = logs.front().tau_ext.empty();
   Decisions decisions;
-  if (good && measured && settings.chain && !keep_links) {
+  if (logs.front().tau_ext.empty() && settings.chain && !keep_links) {
     ArmSettings<Dofs> better = settings;
     const LinkCorrection correction = fit_links(found);
     decisions.links = judge_links(found, correction);
@@ -514,34 +522,32 @@ int run(Arguments& arguments, const ArmRequest& request) {
       found = check<Dofs>(logs, better);
     }
   }
+  std::vector<LogPath> paths;
+  for (const Log<Dofs>& log : logs) paths.push_back(path_of(log));
+  const std::vector<HeldOut> parts = held_out_parts(paths);
   std::optional<Promised> promised;
-  if (good) {
-    std::vector<LogPath> paths;
-    for (const Log<Dofs>& log : logs) paths.push_back(path_of(log));
-    const std::vector<HeldOut> parts = held_out_parts(paths);
-    if (parts.empty()) {
-      std::printf(
-          "\nno promise: these logs show one path only. Record another one, or a longer log with other poses\n");
-    } else {
-      decisions.sensing = found.settings.config.sensing;
-      promised = rehearse(logs, parts, settings, decisions);
-      print(*promised);
-      found.settings.config = widened(found.settings.config, promised->widening);
-    }
-    print_beliefs<Dofs>(found.data, found.settings);
+  if (parts.empty()) {
+    std::printf("\nno promise: these logs show one path only. Record another one, or a longer log with other poses\n");
+  } else {
+    decisions.sensing = found.settings.config.sensing;
+    promised = rehearse(logs, parts, settings, decisions);
+    print(*promised);
+    found.settings.config = widened(found.settings.config, promised->widening);
   }
+  print_beliefs<Dofs>(found.data, found.settings);
   if (!folder) {
-    std::printf("--output FOLDER writes the settings\n");
-    return good ? 0 : 1;
+    std::printf("--output FOLDER writes the settings, and what examples/check_arm/plot.py FOLDER draws\n");
+    return 0;
   }
   write<Dofs>(*folder, found, promised ? &*promised : nullptr);
-  std::printf("the settings are in %s/settings.json\n", folder->c_str());
+  std::printf("the settings are in %s/settings.json; python3 examples/check_arm/plot.py %s draws what is beside them\n",
+              folder->c_str(), folder->c_str());
   if (found.settings.corrected)
     std::printf(
         "they belong to the links of %s/corrected.urdf, those rotors and that friction, which --config takes with "
         "them; a controller has to use the same\n",
         folder->c_str());
-  return good ? 0 : 1;
+  return 0;
 }
 
 int run(Arguments& arguments) {
@@ -552,5 +558,6 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("check_arm", std::string(kUsage) + kArmUsage + kSettingsUsage + kOwnUsage, argc, argv, run);
+  return run_program("check_arm", std::string(kUsage) + kArmUsage + kFormatUsage + kSettingsUsage + kOwnUsage, argc,
+                     argv, run);
 }

@@ -118,11 +118,10 @@ double fit_load_friction(const std::vector<LogBlocks>& logs, Eigen::Index j) {
   return std::sqrt(left[1]) < kWorthwhile * std::sqrt(left[0]) ? fit(2, true)[n + 2] : 0;
 }
 
-double least_squares_slope(const Eigen::VectorXd& y, const Eigen::VectorXd& x, double& correlation) {
-  const Eigen::VectorXd dx = x.array() - x.mean(), dy = y.array() - y.mean();
-  const double xx = dx.squaredNorm(), yy = dy.squaredNorm(), xy = dx.dot(dy);
-  correlation = xx > 1e-9 && yy > 1e-9 ? xy / std::sqrt(xx * yy) : 0;
-  return xx > 1e-9 ? xy / xx : 0;
+double least_squares_slope(const Eigen::VectorXd& y, const Eigen::VectorXd& x) {
+  const Eigen::VectorXd dx = x.array() - x.mean();
+  const double xx = dx.squaredNorm();
+  return xx > 1e-9 ? dx.dot(y) / xx : 0;
 }
 
 }  // namespace
@@ -207,7 +206,7 @@ std::vector<JointFindings> find_joints(const std::vector<LogBlocks>& logs) {
       gravity.tail(log.blocks()) = log.gravity.col(j);
     }
     joint.gravity_seen = std::sqrt((gravity.array() - gravity.mean()).square().mean()) > kGravity;
-    joint.gravity_slope = least_squares_slope(tau, gravity, joint.gravity_correlation);
+    joint.gravity_slope = least_squares_slope(tau, gravity);
   }
   return out;
 }

@@ -25,9 +25,9 @@ struct JointFindings {
   /// Increase of Coulomb friction per N m of the model's gravity torque on the joint; 0 if the logs show none.
   /// unexplained() does not subtract it, since the tracker's friction model does not depend on the load.
   double coulomb_per_load = 0;
-  /// Slope and correlation of the torque over the model's gravity torque. The slope is about 0 for an external torque,
-  /// and about 1 or -1 if gravity has not been subtracted from it.
-  double gravity_slope = 0, gravity_correlation = 0;
+  /// Slope of the torque over the model's gravity torque: about 0 for an external torque, and about 1 or -1 if gravity
+  /// has not been subtracted from it.
+  double gravity_slope = 0;
   bool gravity_seen = false;  ///< the model's gravity torque changes enough in the logs to find the slope
 };
 

@@ -12,9 +12,9 @@ namespace rme::examples {
 
 namespace {
 
-/// "-1" is a value, "--at" and "-h" are not.
+/// "-1" and "-9.81,0,0" are values, "--at" and "-h" are not.
 bool is_option(const std::string& word) {
-  return word.size() > 1 && word[0] == '-' && !parse_number(word);
+  return word.size() > 1 && word[0] == '-' && !parse_number(word.substr(0, word.find(',')));
 }
 
 std::string expected(std::size_t count, char separator) {
@@ -29,7 +29,7 @@ void make_folder(const std::string& option, const std::string& folder) {
   if (error) throw ArgumentError(option + ": cannot make " + folder + ": " + error.message());
 }
 
-Arguments::Arguments(int argc, const char* const* argv) : words_(argv + std::min(argc, 1), argv + argc) {}
+Arguments::Arguments(int argc, const char* const* argv) : words_(argv + std::min(argc, 1), argv + argc), all_(words_) {}
 
 bool Arguments::flag(const std::string& option) {
   const auto found = std::find(words_.begin(), words_.end(), option);
@@ -83,6 +83,36 @@ std::string Arguments::positional(const std::string& meaning) {
   std::string word = words_.front();
   words_.erase(words_.begin());
   return word;
+}
+
+std::string Arguments::with(const std::string& options) const {
+  std::vector<std::string> words = all_, more;
+  for (std::size_t i = 0; i < options.size();) {  // words end at spaces that are not between quotes
+    std::string word;
+    bool quoted = false;
+    for (; i < options.size() && (quoted || options[i] != ' '); ++i) {
+      if (options[i] == '\'')
+        quoted = !quoted;
+      else
+        word += options[i];
+    }
+    ++i;
+    if (!word.empty()) more.push_back(word);
+  }
+  for (std::size_t i = 0; i < more.size();) {
+    const std::string option = more[i++];
+    const bool has_value = i < more.size() && !is_option(more[i]);
+    const auto given = std::find(words.begin(), words.end(), option);
+    if (given != words.end()) words.erase(given, has_value ? given + 2 : given + 1);
+    words.push_back(option);
+    if (has_value) words.push_back(more[i++]);
+  }
+  std::string out;
+  for (const std::string& word : words) {
+    const bool plain = word.find_first_of(" *'\"$&;()<>|?[]{}~#!\\") == std::string::npos && !word.empty();
+    out += (out.empty() ? "" : " ") + (plain ? word : "'" + word + "'");
+  }
+  return out;
 }
 
 void Arguments::finish() const {

@@ -67,11 +67,16 @@ class Arguments {
   /// Whether every word has been taken.
   bool empty() const noexcept { return words_.empty(); }
 
+  /// All words as a shell takes them, whether taken or not, with these options in addition, or in place of those given.
+  /// @param options  as a user would type them: "--columns 'q=p_*' --degrees"
+  std::string with(const std::string& options) const;
+
   /// Refuses the words that no call has taken.
   void finish() const;
 
  private:
   std::vector<std::string> words_;
+  std::vector<std::string> all_;
 };
 
 }  // namespace rme::examples

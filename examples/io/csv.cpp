@@ -41,6 +41,9 @@ CsvReader::CsvReader(std::string_view text, std::string name) : rest_(text), nam
   if (rest_.substr(0, byte_order_mark.size()) == byte_order_mark) rest_.remove_prefix(byte_order_mark.size());
   rest_ = rest_.substr(0, rest_.find_last_not_of(" \t\r\n") + 1);  // blank lines at the end are not rows
   if (rest_.empty()) throw LogError(name_ + ": is empty");
+  const std::string_view first = rest_.substr(0, rest_.find('\n'));
+  for (const char separator : {' ', '\t', ';', ','})
+    if (trimmed(first).find(separator) != std::string_view::npos) separator_ = separator;
   split_line();
   header_ = cells_;
 }
@@ -95,8 +98,11 @@ void CsvReader::split_line() {
   rest_.remove_prefix(std::min(end + 1, rest_.size()));
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   cells_.clear();
-  for (std::size_t comma = 0; (comma = line.find(',')) != std::string_view::npos; line.remove_prefix(comma + 1)) {
-    cells_.push_back(trimmed(line.substr(0, comma)));
+  if (separator_ == ' ') line = trimmed(line);
+  for (std::size_t end_of_cell = 0; (end_of_cell = line.find(separator_)) != std::string_view::npos;) {
+    cells_.push_back(trimmed(line.substr(0, end_of_cell)));
+    line.remove_prefix(end_of_cell + 1);
+    if (separator_ == ' ') line = trimmed(line);  // several spaces are one
   }
   cells_.push_back(trimmed(line));
 }

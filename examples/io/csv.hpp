@@ -1,5 +1,5 @@
 #pragma once
-/// Comma-separated numbers with a header line, plain or gzip-compressed. Every error in a file is reported.
+/// Tables of numbers with a header line, plain or gzip-compressed. Every error in a file is reported.
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
@@ -20,7 +20,8 @@ class LogError : public std::runtime_error {
 std::string read_file(const std::string& path);
 
 /// Reads a CSV text row by row. Lines may end in LF or CRLF, cells may have spaces around them, a UTF-8 byte
-/// order mark is skipped. Quoted cells are not supported: a comma always ends a cell.
+/// order mark is skipped. Quoted cells are not supported: a comma always ends a cell. If the header has no comma, cells
+/// end at semicolons, or else at tabs, or else at spaces.
 class CsvReader {
  public:
   /// @param text  the CSV text; it must outlive the reader
@@ -46,6 +47,7 @@ class CsvReader {
   [[noreturn]] void fail(std::size_t column, const std::string& what) const;
 
   const std::string& name() const noexcept { return name_; }
+  const std::vector<std::string_view>& header() const noexcept { return header_; }
   std::size_t line() const noexcept { return line_; }  ///< of the current row; the header is line 1
 
  private:
@@ -57,6 +59,7 @@ class CsvReader {
   std::vector<std::string_view> header_;
   std::vector<std::string_view> cells_;
   std::size_t line_ = 0;
+  char separator_ = ',';
 };
 
 }  // namespace rme::examples

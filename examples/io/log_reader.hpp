@@ -1,7 +1,6 @@
 #pragma once
 /// Recordings of an arm, made by a host while its controller ran.
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <rme/core/types.hpp>
 #include <string>
@@ -28,86 +27,119 @@ struct Log {
   std::size_t size() const noexcept { return t.size(); }
 };
 
+/// A column of a file and what becomes of its numbers: factor * number + offset.
+struct LogColumn {
+  std::string name;
+  double factor = 1;
+  double offset = 0;
+};
+
+/// Where a file has the quantities of a log, in the order of the arm's joints. Empty: it has none.
+struct LogColumns {
+  std::vector<LogColumn> t;  ///< their sum is the time [s]: seconds and nanoseconds may have columns of their own
+  std::vector<LogColumn> q, dq, tau_ext, tau;  ///< one for each joint
+};
+
 namespace detail {
-
-/// The columns of these names, all of them needed.
-template <std::size_t Size>
-std::vector<std::size_t> columns(const CsvReader& csv, const std::array<std::string, Size>& names) {
-  std::vector<std::size_t> found(Size);
-  std::transform(names.begin(), names.end(), found.begin(), [&](const std::string& name) { return csv.at(name); });
-  return found;
-}
-
-/// The same, or nothing if none of them is there. If only some are there, the others are reported as missing.
-template <std::size_t Size>
-std::vector<std::size_t> optional_columns(const CsvReader& csv, const std::array<std::string, Size>& names) {
-  const bool any =
-      std::any_of(names.begin(), names.end(), [&](const auto& name) { return csv.find(name).has_value(); });
-  return any ? columns(csv, names) : std::vector<std::size_t>();
-}
 
 /// Names of the columns of a joint vector: name1, name2, ...
 template <int Dofs>
-std::array<std::string, Dofs> joint_columns(const std::string& name) {
-  std::array<std::string, Dofs> names;
-  for (std::size_t j = 0; j < Dofs; ++j) names[j] = name + std::to_string(j + 1);
-  return names;
+std::vector<LogColumn> joint_columns(const std::string& name) {
+  std::vector<LogColumn> columns;
+  for (int j = 1; j <= Dofs; ++j) columns.push_back({name + std::to_string(j)});
+  return columns;
 }
 
-/// Appends the row's vector to `values`, unless the file does not have it.
-template <typename Vector>
-void append(const CsvReader& csv, const std::vector<std::size_t>& columns, std::vector<Vector>& values) {
-  if (columns.empty()) return;
-  Vector value;
-  for (std::size_t i = 0; i < columns.size(); ++i) value[static_cast<Eigen::Index>(i)] = csv.number(columns[i]);
-  values.push_back(value);
+/// The columns, or none if the file has none of them. If it has some, the others are reported as missing.
+inline std::vector<LogColumn> if_any(const CsvReader& csv, const std::vector<LogColumn>& columns) {
+  const bool any =
+      std::any_of(columns.begin(), columns.end(), [&](const auto& c) { return csv.find(c.name).has_value(); });
+  return any ? columns : std::vector<LogColumn>();
 }
+
+/// Columns that have been looked up in the header.
+class FoundColumns {
+ public:
+  FoundColumns(const CsvReader& csv, const std::vector<LogColumn>& columns) : columns_(columns) {
+    for (const LogColumn& column : columns) found_.push_back(csv.at(column.name));
+  }
+  /// Appends the row's vector to `values`, unless there are no columns.
+  template <typename Vector>
+  void append(const CsvReader& csv, std::vector<Vector>& values) const {
+    if (columns_.empty()) return;
+    Vector value;
+    for (std::size_t i = 0; i < columns_.size(); ++i) value[static_cast<Eigen::Index>(i)] = at(csv, i);
+    values.push_back(value);
+  }
+  double sum(const CsvReader& csv) const {
+    double total = 0;
+    for (std::size_t i = 0; i < columns_.size(); ++i) total += at(csv, i);
+    return total;
+  }
+  std::size_t front() const { return found_.front(); }
+
+ private:
+  double at(const CsvReader& csv, std::size_t i) const {
+    return columns_[i].factor * csv.number(found_[i]) + columns_[i].offset;
+  }
+  std::vector<LogColumn> columns_;
+  std::vector<std::size_t> found_;
+};
 
 }  // namespace detail
 
-/// Reads a log from CSV text. Columns are found by their names, in any order: t, q1.. needed; dq1.., tau_ext1..,
-/// tau1.. and the truth m, rx, ry, rz optional; all others ignored.
-/// @param name  of the file, for messages
-/// @throws LogError on anything that is not such a log, naming file, line and column
-template <int Dofs = 7>
-Log<Dofs> parse_log(std::string_view text, const std::string& name) {
-  CsvReader csv(text, name);
-  const std::size_t t = csv.at("t");
-  const auto q = detail::columns(csv, detail::joint_columns<Dofs>("q"));
-  const auto dq = detail::optional_columns(csv, detail::joint_columns<Dofs>("dq"));
-  const auto tau_ext = detail::optional_columns(csv, detail::joint_columns<Dofs>("tau_ext"));
-  const auto tau = detail::optional_columns(csv, detail::joint_columns<Dofs>("tau"));
-  const auto truth = detail::optional_columns(csv, std::array<std::string, 4>{"m", "rx", "ry", "rz"});
+/// The columns of docs/conventions.md, as far as the file has them: t, q1.. needed; dq1.., tau_ext1.., tau1.. optional.
+/// @throws LogError if it has a part of a vector, or more joints
+template <int Dofs>
+LogColumns usual_columns(const CsvReader& csv) {
+  const auto optional = [&](const char* name) { return detail::if_any(csv, detail::joint_columns<Dofs>(name)); };
   const std::string beyond = "q" + std::to_string(Dofs + 1);
   if (csv.find(beyond))
-    throw LogError(name + ":1: column " + beyond + ": the arm has " + std::to_string(Dofs) + " joints");
+    throw LogError(csv.name() + ":1: column " + beyond + ": the arm has " + std::to_string(Dofs) + " joints");
+  return {{{"t"}}, detail::joint_columns<Dofs>("q"), optional("dq"), optional("tau_ext"), optional("tau")};
+}
 
+/// Reads a log from CSV text. Other columns are ignored, but for the truth m, rx, ry, rz.
+/// @param name     of the file, for messages
+/// @param columns  needed, in the units of docs/conventions.md with their factors; t and q not empty
+/// @throws LogError on anything that is not such a log, naming file, line and column
+template <int Dofs>
+Log<Dofs> parse_log(std::string_view text, const std::string& name, const LogColumns& columns) {
+  CsvReader csv(text, name);
+  const detail::FoundColumns t(csv, columns.t), q(csv, columns.q), dq(csv, columns.dq), tau_ext(csv, columns.tau_ext),
+      tau(csv, columns.tau), truth(csv, detail::if_any(csv, {{"m"}, {"rx"}, {"ry"}, {"rz"}}));
   Log<Dofs> log;
   log.name = name;
   while (csv.next()) {
-    const double time = csv.number(t);
-    if (!log.t.empty() && time < log.t.back()) csv.fail(t, "time does not increase from the row before");
+    const double time = t.sum(csv);
+    if (!log.t.empty() && time < log.t.back()) csv.fail(t.front(), "time does not increase from the row before");
     if (!log.t.empty() && time == log.t.back()) {
       ++log.same_instant;
       continue;
     }
     log.t.push_back(time);
-    detail::append(csv, q, log.q);
-    detail::append(csv, dq, log.dq);
-    detail::append(csv, tau_ext, log.tau_ext);
-    detail::append(csv, tau, log.tau);
-    detail::append(csv, truth, log.truth);
+    q.append(csv, log.q);
+    dq.append(csv, log.dq);
+    tau_ext.append(csv, log.tau_ext);
+    tau.append(csv, log.tau);
+    truth.append(csv, log.truth);
   }
   if (log.t.empty()) throw LogError(name + ": has a header but no rows");
   return log;
 }
 
+/// Reads a log of the usual columns from CSV text.
+template <int Dofs = 7>
+Log<Dofs> parse_log(std::string_view text, const std::string& name) {
+  return parse_log<Dofs>(text, name, usual_columns<Dofs>(CsvReader(text, name)));
+}
+
 // Compiled in log_reader.cpp.
-extern template Log<4> parse_log(std::string_view, const std::string&);
-extern template Log<5> parse_log(std::string_view, const std::string&);
-extern template Log<6> parse_log(std::string_view, const std::string&);
-extern template Log<7> parse_log(std::string_view, const std::string&);
-extern template Log<8> parse_log(std::string_view, const std::string&);
+extern template Log<4> parse_log(std::string_view, const std::string&, const LogColumns&);
+extern template Log<5> parse_log(std::string_view, const std::string&, const LogColumns&);
+extern template Log<6> parse_log(std::string_view, const std::string&, const LogColumns&);
+extern template Log<7> parse_log(std::string_view, const std::string&, const LogColumns&);
+extern template Log<8> parse_log(std::string_view, const std::string&, const LogColumns&);
 
 /// Reads a log from a CSV file, plain or gzip-compressed; see parse_log.
 template <int Dofs = 7>

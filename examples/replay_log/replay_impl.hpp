@@ -81,6 +81,7 @@ Samples<Dofs> samples_of(const Log<Dofs>& log, const RecordedArm<Dofs>& arm,
       Vector torque = sign * arm.gains.cwiseProduct(log.tau[i]);
       if constexpr (Dofs == 7)
         if (arm.is_panda) torque -= panda_friction(sample.dq);
+      if (arm.lacks_gravity) torque += terms.gravity;
       torque -= load_friction(arm, log.q[i], sample.dq);
       if (i > 0) {
         const Vector mean = (p - momentum) / sample.period - 0.5 * (torque + tau) - 0.5 * (s + drift);

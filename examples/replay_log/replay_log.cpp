@@ -1,11 +1,13 @@
 // replay_log: plays a recording of an arm through the estimator, and prints what rme would have estimated, and when.
 //
 // Reads a CSV log (plain or gzip) of a Franka Panda, or of the arm that --urdf describes. Columns are found by their
-// names: t, q1.. and either tau_ext1.., or tau1.. (measured torque, gravity included, or motor current) with dq1..;
-// optional are dq1.. and the truth m, rx, ry, rz. Prints a table with a line for each event, also for one that is not over
-// when the log ends, or with --json each estimate as one JSON object per line. With --compare, other methods
-// (examples/rivals/rivals.hpp) estimate the mass in the same log, too. Assumptions and irregular time stamps are reported on stderr, or with --json in
-// objects of type "note". Exit codes: 0; 2 unusable arguments; 3 unreadable log or URDF.
+// names: t, q1.. and either tau_ext1.., or tau1.. (measured torque, gravity included, or motor current), those of other
+// recorders, or those of --columns; optional are dq1.. and the truth m, rx, ry, rz. If something is wrong with the log,
+// it says what, and which command mends it. Otherwise it prints a table with a line for each event, also for one that is
+// not over when the log ends, or with --json each estimate as one JSON object per line. With --compare, other methods
+// (examples/rivals/rivals.hpp) estimate the mass in the same log, too. Assumptions and irregular time stamps are
+// reported on stderr, or with --json in objects of type "note". Exit codes: 0; 1 something is wrong with a log;
+// 2 unusable arguments; 3 unreadable log or URDF.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,6 +19,7 @@
 #include <vector>
 
 #include "io/program.hpp"
+#include "log_diagnosis/recorded_log.hpp"
 #include "replay_log/options.hpp"
 #include "rivals/rivals.hpp"
 
@@ -171,24 +174,42 @@ ordered_json guess_of(const NetworkFile& file, const Log<Dofs>& log, const Sampl
   return guess ? ordered_json(list(*guess)) : ordered_json(nullptr);
 }
 
+/// Whether the log can be right. If not, says what is wrong, and which command mends it.
+/// @param may_hold  the hand may hold something
+template <int Dofs>
+bool judge(const FormattedLog<Dofs>& log, const ReplayOptions<Dofs>& options, const LogFormat& format, bool may_hold,
+           const Arguments& arguments) {
+  const Diagnosis diagnosis = diagnose(log, options.arm, options.estimator, format, may_hold);
+  if (diagnosis.usable()) return true;
+  std::fprintf(stderr, "replay_log: %s: %s\n", log.log.name.c_str(), diagnosis.sentence().c_str());
+  if (!diagnosis.options().empty())
+    std::fprintf(stderr, "try: replay_log %s\n", arguments.with(diagnosis.options()).c_str());
+  return false;
+}
+
 template <int Dofs>
 int run(Arguments& arguments, const ArmRequest& arm) {
   const bool json = arguments.flag("--json"), compare = arguments.flag("--compare");
   const auto tare = arguments.text("--tare");
   if (tare && !compare) throw ArgumentError("--tare: means nothing without --compare");
   const ReplayRequest<Dofs> request = parse_replay<Dofs>(arguments, arm);
+  const LogFormat format = parse_format(arguments);
   const std::string file = arguments.positional("LOG.csv");
   arguments.finish();
-  const Log<Dofs> log = read_log<Dofs>(file);
-  require_external_torque(log);
-  std::optional<Log<Dofs>> empty;
+  const std::vector<std::string> joints = joint_names(arm);
+  const FormattedLog<Dofs> read = read_formatted_log<Dofs>(file, format, joints);
+  if (!judge(read, request.options, format, true, arguments)) return 1;
+  const Log<Dofs>& log = read.log;
+  std::vector<std::string> notes = request.notes;
+  for (const std::string& note : read.notes) notes.push_back(log.name + ": " + note);
+  std::optional<FormattedLog<Dofs>> empty;
   if (tare) {
-    empty = read_log<Dofs>(*tare);
-    require_external_torque(*empty);
-    require_empty_hand(*empty);
+    empty = read_formatted_log<Dofs>(*tare, format, joints);
+    require_empty_hand(empty->log);
+    if (!judge(*empty, request.options, format, false, arguments)) return 1;
+    for (const std::string& note : empty->notes) notes.push_back(empty->log.name + ": " + note);
   }
   const Samples<Dofs> samples = samples_of(log, request.options.arm, request.options.estimator);
-  std::vector<std::string> notes = request.notes;
   for (const std::string& note : samples.timing.notes()) notes.push_back(log.name + ": " + note);
   for (const std::string& note : notes) {
     if (json)
@@ -225,7 +246,7 @@ int run(Arguments& arguments, const ArmRequest& arm) {
   if (compare) {
     const ArmSettings<Dofs> settings{request.options.arm, request.options.estimator, std::nullopt, false, {}};
     methods = run_rivals<Dofs>(
-        {log, samples, settings, empty ? &*empty : nullptr, request.weights ? &*request.weights : nullptr, false});
+        {log, samples, settings, empty ? &empty->log : nullptr, request.weights ? &*request.weights : nullptr, false});
     if (!ours.masses.empty()) methods.insert(methods.begin(), ours);
   }
   if (json) {
@@ -257,6 +278,7 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("replay_log", std::string(kUsage) + kArmUsage + kSettingsUsage + kReplayUsage + kOwnUsage, argc,
+  return run_program("replay_log",
+                     std::string(kUsage) + kArmUsage + kFormatUsage + kSettingsUsage + kReplayUsage + kOwnUsage, argc,
                      argv, run);
 }

@@ -29,7 +29,24 @@ ArmRequest parse_arm(Arguments& arguments) {
     request.gravity = Eigen::Vector3d((*g)[0], (*g)[1], (*g)[2]);
     if (!(request.gravity->norm() > 0)) throw ArgumentError("--gravity: must not be zero");
   }
+  if (const auto tool = arguments.numbers("--tool", 4)) {
+    request.tool = {(*tool)[0], Eigen::Vector3d((*tool)[1], (*tool)[2], (*tool)[3]), Eigen::Matrix3d::Zero()};
+    if (!(request.tool.mass > 0)) throw ArgumentError("--tool: its mass must be above 0 kg");
+    if (request.chain) {
+      RigidBody& last = request.chain->links.back().body;
+      last = last + moved(request.tool, request.chain->tip, request.chain->tip_rotation);
+    }
+  }
+  request.lacks_gravity = arguments.flag("--tau-lacks-gravity");
   return request;
+}
+
+std::vector<std::string> joint_names(const ArmRequest& request) {
+  std::vector<std::string> names;
+  for (int j = 0; j < request.dofs(); ++j)
+    names.push_back(request.chain ? request.chain->joints[static_cast<std::size_t>(j)].name
+                                  : "panda_joint" + std::to_string(j + 1));
+  return names;
 }
 
 }  // namespace rme::examples

@@ -24,7 +24,10 @@ constexpr const char* kArmUsage =
     "  --torque-sign S     of the log's torque: external (default) or reaction\n"
     "  --gains K1,K2,...   tau1.. are motor currents [A]; torque per ampere of each joint, gear included [N m/A]\n"
     "  --rotor-inertia I1,I2,...  inertia of each joint's rotor, gear included, which tau1.. accelerates [kg m^2] (0)\n"
-    "  --gravity X,Y,Z     gravity vector in world axes [m/s^2] (0,0,-9.81)\n";
+    "  --gravity X,Y,Z     gravity vector in world axes [m/s^2] (0,0,-9.81)\n"
+    "  --tool M,X,Y,Z      a tool that the model lacks: its mass [kg] and centre of mass in the end effector's axes "
+    "[m]\n"
+    "  --tau-lacks-gravity gravity was subtracted from tau1..: it is added again\n";
 
 /// The values of the options above.
 struct ArmRequest {
@@ -35,6 +38,8 @@ struct ArmRequest {
   std::vector<double> rotor_inertia;  ///< none, or one for each joint [kg m^2]
   std::vector<double> load_friction;  ///< none, or one for each joint
   std::optional<Eigen::Vector3d> gravity;
+  RigidBody tool;              ///< on the end effector, in its axes; of mass 0: none
+  bool lacks_gravity = false;  ///< gravity was subtracted from measured torque
 
   int dofs() const noexcept { return chain ? chain->dofs() : 7; }
 };
@@ -42,6 +47,9 @@ struct ArmRequest {
 /// Takes the options above out of `arguments`.
 /// @throws ArgumentError naming what is wrong; UrdfError
 ArmRequest parse_arm(Arguments& arguments);
+
+/// Names of the arm's joints, from the base on.
+std::vector<std::string> joint_names(const ArmRequest& request);
 
 /// An arm, and how its recordings are to be read.
 template <int Dofs>
@@ -51,7 +59,8 @@ struct RecordedArm {
   JointVector<double, Dofs> rotor_inertia = JointVector<double, Dofs>::Zero();  ///< gear included [kg m^2]
   /// Increase of a moving joint's friction in `tau` per N m of the arm's own gravity torque on the joint.
   JointVector<double, Dofs> load_friction = JointVector<double, Dofs>::Zero();
-  bool is_panda = false;  ///< the built-in one, whose friction is known: it is subtracted from measured torque
+  bool lacks_gravity = false;  ///< the log's `tau` is without the model's gravity torque
+  bool is_panda = false;       ///< the built-in one, whose friction is known: it is subtracted from measured torque
 };
 
 /// A guess of the rated payload [kg]: 0.4 times the mass, 10 cm ahead of the tip, that the effort limits can hold in
@@ -117,7 +126,10 @@ RecordedArm<Dofs> recorded_arm(const ArmRequest& request, bool rated, EstimatorC
   } else if constexpr (Dofs == 7) {
     arm.model = panda();
     arm.is_panda = true;
+    RigidBody& last = arm.model.links.back().body;
+    if (request.tool.mass > 0) last = last + moved(request.tool, arm.model.flange, arm.model.flange_rotation);
   }
+  arm.lacks_gravity = request.lacks_gravity;
   if (!request.gains.empty()) arm.gains = Eigen::Map<const JointVector<double, Dofs>>(request.gains.data());
   if (!request.rotor_inertia.empty())
     arm.rotor_inertia = Eigen::Map<const JointVector<double, Dofs>>(request.rotor_inertia.data());

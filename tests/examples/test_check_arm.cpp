@@ -194,20 +194,22 @@ TEST_CASE("check_arm: friction that grows with the load is found where it does, 
   for (const double v : growth(shown)) CHECK(v == 0);
 }
 
-TEST_CASE("check_arm: a torque that cannot be right is told by its gravity", "[check_arm]") {
+TEST_CASE("check_arm: a log that cannot be right is refused, with the command that mends it", "[check_arm]") {
   Shown shown;
   shown.columns = "tau";
   shown.factor = -1;
   const TemporaryFile opposite("opposite.csv", recording(shown));
   const Result sign = check(opposite.name);
   CHECK(sign.exit_code == 1);
-  CHECK_THAT(sign.text, contains("tau seems to have the opposite sign: --torque-sign reaction"));
+  CHECK_THAT(sign.text,
+             contains("the torque has the opposite sign: --torque-sign reaction") &&
+                 contains("\ntry: check_arm " + opposite.name + " --torque-sign reaction --output checked\n"));
   CHECK(check("--torque-sign reaction " + opposite.name).exit_code == 0);
   shown.factor = 0.1;
   const TemporaryFile currents("currents.csv", recording(shown));
   const Result unit = check(currents.name);
   CHECK(unit.exit_code == 1);
-  CHECK_THAT(unit.text, contains("in amperes (--gains)"));
+  CHECK_THAT(unit.text, contains("all joints' torque is 0.1 times what the arm needs: --gains 10,10,10,10,10,10,10"));
   CHECK(check("--gains 10,10,10,10,10,10,10 " + currents.name).exit_code == 0);
 }
 
