@@ -34,7 +34,7 @@ async function open(width, height, url = address) {
   return page;
 }
 const number = (page, id) => page.$eval(`#${id}`, (element) => +element.dataset.value);
-const until = (page, what, ...more) => page.waitForFunction(what, ...more, {timeout: 30000});
+const until = (page, what, ...more) => page.waitForFunction(what, ...more, {timeout: 120000});
 const untilMass = (page, mass) => until(page, (m) => Math.abs(document.querySelector('#mass').dataset.value - m) < 0.02, mass);
 const handOf = async (page, name) => {
   const {x, y} = await page.locator('#scene').boundingBox();
@@ -99,6 +99,8 @@ await page.mouse.up();
 await page.waitForTimeout(1000);
 await page.keyboard.press('m');
 await page.waitForTimeout(3000);
+await page.locator('[data-attach="0.5"]').focus();
+await page.keyboard.press('Enter');
 await page.keyboard.press('d');
 await untilMass(page, 0);
 await page.keyboard.press('w');
@@ -162,7 +164,11 @@ assert.deepEqual(here.slice(from).filter((word) => isNaN(word)), there.slice(the
 await other.screenshot({path: join(pictures, 'checked-390.png'), fullPage: true});
 
 // What the page says of files that it cannot use; and it works from a folder.
-await other.setInputFiles('#files', [{name: 'bad.csv', mimeType: 'text/csv', buffer: Buffer.from('t,q1\n0,hello\n')}]);
+await other.evaluate(() => {
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File(['t,q1\n0,hello\n'], 'bad.csv'));
+  document.body.dispatchEvent(new DragEvent('drop', {bubbles: true, cancelable: true, dataTransfer}));
+});
 await until(other, () => /could not be replayed/.test(document.querySelector('#verdict').textContent));
 const local = await open(1280, 900, `file://${join(root, 'docs/live/index.html')}`);
 await until(local, () => document.querySelector('#mass')?.dataset.value > 0.5);
