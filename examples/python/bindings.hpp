@@ -70,7 +70,7 @@ struct State {
   explicit State(std::shared_ptr<const EstimatorState<double>> state);
   std::shared_ptr<const EstimatorState<double>> values;
   Gaussian payload;
-  py::array inertial_mean, inertial_covariance, probability, sensing;
+  py::array inertial_mean, inertial_covariance, probability, sensing, tool;
 };
 
 using Config = EstimatorConfig<double, Eigen::Dynamic>;

@@ -118,6 +118,20 @@ class PythonEstimator {
     return std::move(torque);
   }
 
+  py::array payload_torque(const py::object& jacobian, const py::object& rotation, const PythonMotion& motion) {
+    const int joints = estimator_->joints();
+    Columns columns(6, joints);
+    Matrix3<double> axes;
+    read(jacobian, "Estimator.payload_torque: jacobian", columns);
+    read(rotation, "Estimator.payload_torque: rotation", axes);
+    py::array_t<double> torque(joints);
+    JointVector<double, Eigen::Dynamic>::MapType result(torque.mutable_data(), joints);
+    const InUse mark(in_use_, "Estimator");
+    const py::gil_scoped_release unlocked;
+    (void)estimator_->payload_torque(columns, axes, *motion.values, result);  // the sizes are right
+    return std::move(torque);
+  }
+
   // Any of the calls that tell the estimator what the host knows.
   template <typename Call>
   auto tell(const Call& call) {
@@ -225,6 +239,13 @@ void bind_estimator(py::module_& module) {
       "The joint torque that carries the payload, to be added to the command [N m], (joints,).\n\n"
       "jacobian, rotation: of the present pose; if they are no numbers, those of the last good sample are used.\n"
       "out: an array of float64 to write to, which is returned; None for a new one.");
+  estimator.def("payload_torque", &PythonEstimator::payload_torque, py::arg("jacobian"), py::arg("rotation"),
+                py::arg("motion"),
+                "The joint torque that carries the payload and moves it [N m], (joints,): for a controller that knows\n"
+                "the FlangeMotion that it commands. compensation() if that is zero.");
+  estimator.def(
+      "tare", [](PythonEstimator& self) { self.tell([](auto& e) { e.tare(); }); },
+      "Says that what the hand holds now is tool: from then on the payload is what comes in addition.");
   estimator.def(
       "declare_empty", [](PythonEstimator& self) { self.tell([](auto& e) { e.declare_empty(); }); },
       "Says that the hand is empty.");

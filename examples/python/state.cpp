@@ -90,7 +90,8 @@ State::State(std::shared_ptr<const EstimatorState<double>> state)
       inertial_mean(view(values->inertial.mean, values, false)),
       inertial_covariance(view(values->inertial.covariance, values, false)),
       probability(view(values->probability.values, values)),
-      sensing(view(values->sensing, values)) {}
+      sensing(view(values->sensing, values)),
+      tool(view(values->tool, values, false)) {}
 
 void bind_state(py::module_& module) {
   bind_parts(module);
@@ -140,6 +141,13 @@ void bind_state(py::module_& module) {
       "change_noticed", [](const Values& s) { return s.change_noticed; }, "When that event was noticed [s].");
   number(
       "event", [](const Values& s) { return s.event; }, "The last Event that is over.");
+  state.def_readonly(
+      "tool", &State::tool,
+      "(m, m r) of what the robot's own model lacks at the last link, and of what tare() has counted as\n"
+      "tool [kg, kg m]: a NumPy view, (4,). It is no part of `payload`, and is carried with it.");
+  state.def(
+      "heavier_than", [](const State& self, double mass) { return self.values->heavier_than(mass); }, py::arg("mass"),
+      "Probability that what is held is heavier than this [kg].");
   state.def(
       "empty", [](const State& self) { return self.values->empty(); }, "Whether the hand is probably empty.");
   state.def(

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <rme/core/compensation.hpp>
+#include <rme/core/flange_motion.hpp>
+#include <rme/core/payload.hpp>
 #include <rme/core/plausible.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/status.hpp>
@@ -12,13 +13,14 @@
 #include <rme/estimator_state.hpp>
 #include <rme/sensing/proprioception.hpp>
 #include <rme/sensing/stale_torque.hpp>
+#include <rme/tracking/inertial_parameters.hpp>
 #include <rme/tracking/removal_guard.hpp>
 #include <rme/tracking/torque_block.hpp>
 #include <rme/tracking/tracker.hpp>
 
 namespace rme {
 
-/// Tracks the payload of one arm with a filter that takes in every sample (docs/theory.md, "The tracker"):
+/// Tracks the payload of one arm. Every sample counts (docs/theory.md, "The tracker"):
 ///
 ///     samples -> blocks of 20 ms -> weighted stories, per kind of torque sensing -> belief -> events, compensation
 ///
@@ -27,9 +29,9 @@ namespace rme {
 ///     tau_command += estimator.compensation(jacobian, rotation);    // through a CompensationRamp
 ///     estimator.state().payload                                     // mass and centre of mass, with covariance
 ///
-/// Real time: no call but the constructor allocates or throws. The stories of a block are continued on the tick that ends
-/// it and on the ticks after it: at 1 kHz nine continuations on one tick, below 400 Hz all of them. Each costs at most
-/// the update of a filter of 10 + 4 + 5 Dofs unknowns. On all other ticks update() is O(Dofs).
+/// Real time: no call but the constructor allocates or throws. The children of a block's stories are computed on the tick
+/// that ends it and on the ticks after it: at 1 kHz four on one tick, below 400 Hz all of them. Each costs at most two
+/// updates of a filter of 21 + 5 Dofs unknowns. On all other ticks update() is O(Dofs).
 template <typename Scalar, int Dofs>
 class Estimator {
   static_assert(Dofs != Eigen::Dynamic, "Estimator: the number of joints has to be known at compile time");
@@ -56,22 +58,36 @@ class Estimator {
 
   /// The joint torque that carries the payload, to be added to the command [N m], Dofs x 1 (docs/theory.md (T34)):
   ///
-  ///     tau_comp = -share c J^T w(payload),   c = m^2 / (m^2 + std^2)
+  ///     tau_comp = -J^T (share c w(payload) + w(tool)),   c = m^2 / (m^2 + std^2)
   ///
-  /// It is nearly zero for an empty hand. If the payload's weight is suddenly missing in tau_ext, the removal guard
-  /// reduces `share` from 1 towards 0 within milliseconds, before it is known whether the object was dropped or lifted
-  /// (T35). If the pose is not plausible (plausible.hpp), that of the last good sample is used.
+  /// Without a tool that the robot does not know, it is nearly zero for an empty hand. If the payload's weight is suddenly
+  /// missing in tau_ext, the removal guard reduces `share` from 1 towards 0 within milliseconds, before it is known whether
+  /// the object was dropped or lifted (T35). If the pose is not plausible (plausible.hpp), that of the last good sample is
+  /// used.
   /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
   /// @param rotation  R, end-effector axes to world axes
-  Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept;
+  Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
+    return payload_torque(jacobian, rotation, FlangeMotion<Scalar>());
+  }
+  /// The joint torque that carries payload and tool and moves them [N m], Dofs x 1, for a controller that knows the motion
+  /// that it commands (T10): compensation() if `motion` is zero.
+  /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
+  /// @param rotation  R, end-effector axes to world axes
+  /// @param motion    of the end effector that is commanded, world axes; if it is not plausible, it counts as zero
+  Torque payload_torque(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
+                        const FlangeMotion<Scalar>& motion) const noexcept;
 
-  /// Says that the hand is empty. This call and the three below tell the estimator what the host knows. None of them is
+  /// Says that the hand is empty. This call and the four below tell the estimator what the host knows. None of them is
   /// needed. If the samples contradict what the host says, the estimate follows the samples.
   void declare_empty() noexcept;
   /// Says what is in the hand.
   /// @param payload  mass [kg], >= 0, and centre of mass [m], end-effector axes; covariance positive semidefinite
   /// @return Ok; NonFiniteInput, also for a mass or a variance below 0: nothing is changed then
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept;
+  /// Says that what the hand holds now is tool: a gripper that the robot does not know, or a wrong entry of its mass.
+  /// From then on state().payload is what comes in addition. What was held is carried as before, and known better once
+  /// the arm has moved.
+  void tare() noexcept;
   /// Says that the payload is about to change, for example because the gripper closes or opens. For 0.3 s, a change then
   /// has as much prior probability as everything else together.
   void expect_change() noexcept { expected_ = kExpected; }
@@ -88,32 +104,46 @@ class Estimator {
   void reset() noexcept;
 
  private:
-  static constexpr double kExpected = 0.3;  // how long an exchange is expected after expect_change() [s]
-  // How often a payload is exchanged while nothing is measured [1/s]: as often as the tracker expects it on an arm whose
-  // torque shows it at once, 1e-3 per block (sensing_kind.hpp).
+  static constexpr double kExpected = 0.3;  // how long a change is expected after expect_change() [s]
+  // How often a payload is exchanged while nothing is measured [1/s]: as often as the tracker expects it on an arm
+  // whose torque shows it at once, SensingKind::change = 1e-3 per block.
   static constexpr double kExchanges = 0.05;
+  // What may act on an arm, per rated payload: 25 standard deviations of the wrench of a hand (disturbance.hpp) [N/kg],
+  // [N m/kg].
+  static constexpr double kForce = 100, kMoment = 12.5;
   static constexpr int kChildren = 16;        // children that a busy block has, over all kinds of sensing
   static constexpr int kManyChildren = 1000;  // more than a block can have
-  static constexpr double kHealthy = 3;       // health up to which the filters' covariance is not increased
 
-  /// Torque that carries a body of mass and first moment (m, m r) at rest [N m].
-  Torque carried(const Vector4<Scalar>& body, const Jacobian<Scalar, Dofs>& jacobian,
-                 const Matrix3<Scalar>& rotation) const noexcept {
-    const Vector3<Scalar> lever = detail::product(rotation, Vector3<Scalar>(body[1], body[2], body[3]));
-    const Wrench<Scalar> weight{detail::scaled(body[0], config_.gravity), lever.cross(config_.gravity)};
-    return detail::scaled(Scalar(-1), Torque(detail::transposed_product(jacobian, weight.vector())));
-  }
-  /// (m, m r) of the payload, as state() has it.
-  Vector4<Scalar> body() const noexcept {
+  /// phi of the payload, as state() has it.
+  InertialVector<Scalar> body() const noexcept {
     const Vector4<Scalar>& theta = state_.payload.mean;
-    return {theta[0], theta[0] * theta[1], theta[0] * theta[2], theta[0] * theta[3]};
+    InertialVector<Scalar> phi = detail::scaled(state_.held, state_.inertial.mean);
+    phi[0] = theta[0];
+    for (int i = 1; i < 4; ++i) phi[i] = theta[0] * theta[i];
+    return phi;
   }
   Scalar share() const noexcept {
     const Scalar mass = state_.payload.mean[0], variance = state_.payload.covariance(0, 0);
     const Scalar square = mass * mass;  // may underflow to zero
     return mass > 0 && square + variance > 0 ? square / (square + variance) : Scalar(0);
   }
-  Scalar excess() const noexcept { return std::max(Scalar(1), state_.health / Scalar(kHealthy)); }
+  Scalar excess() const noexcept {
+    return std::max(Scalar(1), state_.health / Scalar(EstimatorState<Scalar>::kHealthy));
+  }
+  /// Whether anything that may act on this arm can make the torque of a sample. One that nothing can make may be as large as
+  /// it likes: a payload or a lag that explained it would be believed in from then on.
+  bool possible(const Proprioception<Scalar, Dofs>& in) const noexcept {
+    for (int j = 0; j < Dofs; ++j) {
+      Scalar lever = Scalar(0), turn = Scalar(0);  // squared norms of the columns of J_v and J_w
+      for (int axis = 0; axis < 3; ++axis) {
+        lever += in.jacobian(axis, j) * in.jacobian(axis, j);
+        turn += in.jacobian(3 + axis, j) * in.jacobian(3 + axis, j);
+      }
+      const Scalar most = Scalar(kForce) * std::sqrt(lever) + Scalar(kMoment) * std::sqrt(turn);
+      if (std::abs(in.tau_ext[j]) > std::max(most, Scalar(kMoment)) * config_.rated_payload) return false;
+    }
+    return true;
+  }
   void process() noexcept;
   void publish() noexcept;
   void forget(double dt) noexcept;
@@ -130,7 +160,7 @@ class Estimator {
   Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();  // of the last good sample
   Matrix3<Scalar> rotation_ = Matrix3<Scalar>::Identity();
   int steps_per_tick_;
-  double expected_ = 0;  // how long an exchange is still expected [s]
+  double expected_ = 0;  // how long a change is still expected [s]
   bool contact_ = false;
 };
 
@@ -165,6 +195,10 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   Proprioception<Scalar, Dofs> sample = in;
   sample.tau_ext *= Scalar(static_cast<int>(config_.torque_sign));
   state_.time += dt;
+  if (!possible(in)) {
+    process();
+    return Status::NotAMeasurement;
+  }
   if (!stale_.update(in.tau_ext, in.dq, dt)) {
     averager_.clear();
     process();
@@ -174,8 +208,9 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   jacobian_ = in.jacobian;
   rotation_ = in.rotation;
   const bool complete = averager_.add(sample, dt, state_.time);
-  guard_.update(averager_.torque(), detail::scaled(Scalar(-1), carried(body(), in.jacobian, in.rotation)),
-                static_cast<Scalar>(dt));
+  const Vector6<Scalar> weight =
+      payload_wrench(Payload<Scalar>::from_vector(state_.payload.mean), in.rotation, config_.gravity).vector();
+  guard_.update(averager_.torque(), Torque(detail::transposed_product(in.jacobian, weight)), static_cast<Scalar>(dt));
   expected_ = std::max(0.0, expected_ - dt);
   // With a Jacobian of zeros, tau_ext does not depend on the payload.
   if (complete && !contact_ && in.jacobian.squaredNorm() > 0) tracker_.begin(averager_.block(), expected_ > 0);
@@ -202,8 +237,8 @@ void Estimator<Scalar, Dofs>::process() noexcept {
   state_.event = events_.last();
 }
 
-/// A tick in which tau_ext was no measurement. The variance of the mass approaches that of a payload from the prior, about
-/// the mean that is kept: after a time t, the payload has been exchanged with the probability 1 - exp(-t / 20 s).
+/// A tick in which tau_ext was no measurement. The variance of the mass approaches that of a payload from the prior,
+/// about the mean that is kept: after a time t, the payload has been exchanged with the probability 1 - exp(-t / 20 s).
 template <typename Scalar, int Dofs>
 void Estimator<Scalar, Dofs>::forget(double dt) noexcept {
   const Scalar away = payload_prior_.mass_mean - state_.payload.mean[0];
@@ -222,6 +257,7 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   state_.inertial = belief.payload;
   state_.health = belief.health;
   state_.sensing = belief.sensing;
+  state_.tool = belief.tool;
   PayloadGaussian<Scalar> held = payload_of(belief.payload, payload_prior_);
   // If innovations are far larger than the model predicts, the covariance that it predicts is too small as well.
   held.covariance *= excess();
@@ -245,17 +281,30 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
 }
 
 template <typename Scalar, int Dofs>
-auto Estimator<Scalar, Dofs>::compensation(const Jacobian<Scalar, Dofs>& jacobian,
-                                           const Matrix3<Scalar>& rotation) const noexcept -> Torque {
+auto Estimator<Scalar, Dofs>::payload_torque(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
+                                             const FlangeMotion<Scalar>& motion) const noexcept -> Torque {
+  InertialVector<Scalar> phi = detail::scaled(share() * guard_.share(), body());
+  for (int i = 0; i < 4; ++i) phi[i] += state_.tool[i];
   const bool good = plausible(jacobian) && plausible(rotation);
-  return carried(detail::scaled(share() * guard_.share(), body()), good ? jacobian : jacobian_,
-                 good ? rotation : rotation_);
+  const bool moves = plausible(motion.angular_velocity) && plausible(motion.linear_acceleration) &&
+                     plausible(motion.angular_acceleration);
+  const Eigen::Matrix<Scalar, 6, kInertial> regressor = inertial_wrench_regressor<Scalar>(
+      good ? rotation : rotation_, config_.gravity, moves ? motion : FlangeMotion<Scalar>());
+  const Vector6<Scalar> wrench = detail::product(regressor, phi);
+  return detail::scaled(Scalar(-1), Torque(detail::transposed_product(good ? jacobian : jacobian_, wrench)));
 }
 
 template <typename Scalar, int Dofs>
 void Estimator<Scalar, Dofs>::declare_empty() noexcept {
   tracker_.declare_empty();
   averager_.clear();  // a load that the robot has taken over changes tau_ext at once, not through the observer
+  events_.believe(true);
+  publish();
+}
+
+template <typename Scalar, int Dofs>
+void Estimator<Scalar, Dofs>::tare() noexcept {
+  tracker_.tare();
   events_.believe(true);
   publish();
 }

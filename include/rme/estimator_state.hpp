@@ -1,6 +1,8 @@
 #pragma once
 /// All that a host can read from an Estimator, as one plain struct.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <rme/core/payload.hpp>
 #include <rme/core/types.hpp>
 #include <rme/inference/payload_gaussian.hpp>
@@ -31,10 +33,24 @@ struct EstimatorState {
   /// multiplied by health / 3.
   Scalar health = Scalar(1);
   std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing (Sensing), sum 1
-  bool changing = false;                    ///< an event is going on
-  double change_onset = 0;                  ///< when the current or the last event began
-  double change_noticed = 0;                ///< when that event was noticed
-  Event event;                              ///< the last event that is over
+  /// (m, m r) [kg, kg m] of what the robot's own model lacks at the last link, end-effector axes: the error of its
+  /// tool, learned in motion, and what Estimator::tare() has counted as tool. It is no part of `payload`, and is carried
+  /// with it.
+  Vector4<Scalar> tool = Vector4<Scalar>::Zero();
+  bool changing = false;      ///< an event is going on
+  double change_onset = 0;    ///< when the current or the last event began
+  double change_noticed = 0;  ///< when that event was noticed
+  Event event;                ///< the last event that is over
+
+  /// Probability that what is held is heavier than this.
+  /// @param mass  [kg], >= 0
+  Scalar heavier_than(Scalar mass) const noexcept {
+    const Scalar variance = inertial.covariance(0, 0) * std::max(Scalar(1), health / Scalar(kHealthy));
+    const Scalar above = inertial.mean[0] - mass;
+    if (!(variance > 0)) return above > 0 ? held : Scalar(0);
+    return held * Scalar(0.5) * std::erfc(-above / std::sqrt(2 * variance));
+  }
+  static constexpr double kHealthy = 3;  ///< health up to which the covariance of `payload` is not increased
 
   /// Whether the hand is probably empty.
   bool empty() const noexcept { return held < Scalar(0.5); }

@@ -147,6 +147,25 @@ class RuntimeEstimator {
     return Status::Ok;
   }
 
+  /// The torque that carries the payload and moves it: Estimator::payload_torque().
+  /// @param jacobian     J, 6 x joints()
+  /// @param rotation     R, end-effector axes to world axes
+  /// @param motion       of the end effector, world axes
+  /// @param[out] torque  the result [N m], joints()
+  /// @return Ok; WrongSize: `torque` is then as it was
+  template <typename Matrix>
+  Status payload_torque(const Eigen::MatrixBase<Matrix>& jacobian, const Eigen::Ref<const Matrix3<Scalar>>& rotation,
+                        const FlangeMotion<Scalar>& motion, Eigen::Ref<Vector> torque) const noexcept {
+    if (!detail::has_size(jacobian, 6, joints_) || torque.size() != joints_) return Status::WrongSize;
+    std::visit(
+        [&](const auto& estimator) {
+          const Jacobian<Scalar, dofs<decltype(estimator)>> fixed = jacobian;
+          torque = estimator.payload_torque(fixed, rotation, motion);
+        },
+        any_);
+    return Status::Ok;
+  }
+
   /// The host says that the hand is empty: Estimator::declare_empty().
   void declare_empty() noexcept {
     std::visit([](auto& e) { e.declare_empty(); }, any_);
@@ -156,6 +175,10 @@ class RuntimeEstimator {
   /// @return Ok; NonFiniteInput: nothing is changed then
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept {
     return std::visit([&](auto& e) { return e.set_payload(payload); }, any_);
+  }
+  /// The host says that what is held is tool: Estimator::tare().
+  void tare() noexcept {
+    std::visit([](auto& e) { e.tare(); }, any_);
   }
   /// The host says that the payload is about to change: Estimator::expect_change().
   void expect_change() noexcept {

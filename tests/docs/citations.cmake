@@ -1,5 +1,5 @@
-# What comments and pages cite is there: pages of docs/, their sections, and numbered equations; and these are numbered in
-# order, each once.
+# What comments and pages cite is there: pages of docs/, their sections, and numbered equations; and of these each number stands
+# once. (They need not be in order, nor complete: a number stays with its equation.)
 #
 #     docs/theory.md, "The star"        a page and a part of one of its headings, in any case; or without quotation marks, to the
 #                                       next full stop or bracket. Between pages: [theory.md](theory.md), "The star"
@@ -19,14 +19,12 @@ function(equations_of page letter)
   string(REPLACE "\n" "\n\n" text "${text}")  # so that no line shares its end with the next one's beginning
   string(REGEX MATCHALL "\n    [^\n]*\\(${letter}[0-9]+\\)\n" lines "${text}")
   set(numbers "")
-  set(expected 1)
   foreach(line IN LISTS lines)
     string(REGEX REPLACE ".*\\(${letter}([0-9]+)\\)\n$" "\\1" number "${line}")
-    if(NOT number EQUAL expected)
-      message(SEND_ERROR "docs/${page}: (${letter}${number}) where (${letter}${expected}) should be")
+    if(${letter}${number} IN_LIST numbers)
+      message(SEND_ERROR "docs/${page}: (${letter}${number}) twice")
     endif()
     list(APPEND numbers ${letter}${number})
-    math(EXPR expected "${number} + 1")
   endforeach()
   if(NOT numbers)
     message(SEND_ERROR "docs/${page}: no equation is numbered")

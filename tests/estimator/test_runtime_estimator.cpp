@@ -73,6 +73,9 @@ void check_equal() {
       REQUIRE(estimator.update(tau_ext, jacobian, R, dq, sample.period, sample.motion, carried, gravity) == Status::Ok);
     REQUIRE(estimator.compensation(jacobian, R, torque) == Status::Ok);
     REQUIRE(torque == expected.compensation(sample.jacobian, sample.rotation));
+    const FlangeMotion<double> motion{{0.1, 0.2, 0.3}, {1, 2, 3}, {0.5, 0, -1}};
+    REQUIRE(estimator.payload_torque(jacobian, R, motion, torque) == Status::Ok);
+    REQUIRE(torque == expected.payload_torque(sample.jacobian, sample.rotation, motion));
   }
   CHECK(estimator.state().payload.mean == expected.state().payload.mean);
   CHECK(estimator.state().payload.covariance == expected.state().payload.covariance);
@@ -87,6 +90,10 @@ void check_equal() {
   CHECK(std::abs(estimator.state().payload.mean[0] - 0.4) < 0.02);
   REQUIRE(expected.set_payload(said) == Status::Ok);
   CHECK(estimator.state().payload.mean == expected.state().payload.mean);
+  estimator.tare();
+  expected.tare();
+  CHECK(estimator.state().tool == expected.state().tool);
+  CHECK(std::abs(estimator.state().tool[0] - 0.4) < 0.05);
   estimator.declare_empty();
   CHECK(estimator.state().empty());
   estimator.reset();

@@ -26,7 +26,6 @@ const browser = await chromium.launch({executablePath: process.env.CHROMIUM, arg
 const complaints = [];
 async function open(width, height, url = address) {
   const page = await browser.newPage({viewport: {width, height}});
-  page.setDefaultTimeout(120000);  // of each step, on a machine that does other things as well
   page.on('pageerror', (error) => complaints.push(error.message));
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
   const own = [new URL('.', url).href, 'data:', 'blob:'];
@@ -35,7 +34,7 @@ async function open(width, height, url = address) {
   return page;
 }
 const number = (page, id) => page.$eval(`#${id}`, (element) => +element.dataset.value);
-const until = (page, what, value) => page.waitForFunction(what, value);
+const until = (page, what, ...more) => page.waitForFunction(what, ...more, {timeout: 120000});
 const untilMass = (page, mass) => until(page, (m) => Math.abs(document.querySelector('#mass').dataset.value - m) < 0.02, mass);
 const handOf = async (page, name) => {
   const {x, y} = await page.locator('#scene').boundingBox();

@@ -37,6 +37,8 @@ struct Loop {
   using Tracking = rme::Estimator<Scalar, Dofs>;
   static_assert(noexcept(my<Tracking>().update(a<Tick>())) && noexcept(a<Tracking>().state()));
   static_assert(noexcept(a<Tracking>().compensation(a<Jacobian>(), a<Matrix3>())));
+  static_assert(noexcept(a<Tracking>().payload_torque(a<Jacobian>(), a<Matrix3>(), a<rme::FlangeMotion<Scalar>>())));
+  static_assert(noexcept(my<Tracking>().tare()) && noexcept(a<rme::EstimatorState<Scalar>>().heavier_than(Scalar(1))));
   static_assert(noexcept(my<Tracking>().expect_change()) && noexcept(my<Tracking>().declare_empty()));
   static_assert(noexcept(my<Tracking>().set_payload(a<rme::PayloadGaussian<Scalar>>())));
   static_assert(noexcept(my<Tracking>().in_contact(true)) && noexcept(my<Tracking>().reset()));

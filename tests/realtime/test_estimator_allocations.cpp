@@ -69,11 +69,14 @@ TEST_CASE(
         if (round > 0 && k % 1000 == 990) estimator.expect_change();
         if (round == 1 && k == 900) estimator.declare_empty();
         if (round == 2 && k == 900) refused += estimator.set_payload(said) != Status::Ok;
+        if (round == 2 && k == 2000) estimator.tare();
         if (round == 2 && k % 1500 == 0) estimator.in_contact(k % 3000 == 0);
         refused += estimator.update(ticks[k]) != Status::Ok;
         met[static_cast<int>(estimator.state().event.kind)] = true;
         refused += ramp.update(estimator.compensation(ticks[k].jacobian, ticks[k].rotation)) != Status::Ok;
         largest = std::max(largest, ramp.torque().norm());
+        const auto moved = estimator.payload_torque(ticks[k].jacobian, ticks[k].rotation, rme::FlangeMotion<double>());
+        largest = std::max(largest, moved.norm());
       }
       estimator.reset();
     }

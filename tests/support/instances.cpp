@@ -11,10 +11,5 @@ template class Tracker<double, 7>;
 template class Histories<float, 7>;
 template class Tracker<float, 7>;
 template class Estimator<float, 7>;
-template class bank::StarGaussian<double, 7>;
-template class bank::PushFilter<double, 7>;
-template class bank::JointTorqueModel<double, 7>;
-template class bank::HypothesisBank<double, 7>;
-template class bank::HypothesisBank<float, 7>;
 
 }  // namespace rme

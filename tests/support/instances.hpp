@@ -14,10 +14,5 @@ extern template class Tracker<double, 7>;
 extern template class Histories<float, 7>;
 extern template class Tracker<float, 7>;
 extern template class Estimator<float, 7>;
-extern template class bank::StarGaussian<double, 7>;
-extern template class bank::PushFilter<double, 7>;
-extern template class bank::JointTorqueModel<double, 7>;
-extern template class bank::HypothesisBank<double, 7>;
-extern template class bank::HypothesisBank<float, 7>;
 
 }  // namespace rme

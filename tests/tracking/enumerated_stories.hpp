@@ -61,11 +61,11 @@ class EnumeratedStories {
     const SensingKind& kind = model.kind();
     const double c = kind.change;
     const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false,
-                           bool quick = false, bool late = false) {
+                           bool quick = false, bool late = false, bool turned = false) {
       const bool same = mode == p.mode && !anew && (mode != Mode::Disturbed || how == p.how) &&
                         (mode != Mode::Pouring || quick == p.quick);
       if (same == goes_on && probability > 0)
-        add(take_in(model, p, mode, how, anew, quick, late, std::log(probability)));
+        add(take_in(model, p, mode, how, anew, quick, late, turned, std::log(probability)));
     };
     const auto disturb = [&] {
       child(Mode::Disturbed, Transitions::kDisturbs);
@@ -73,13 +73,14 @@ class EnumeratedStories {
     };
     if (p.mode == Mode::Empty || p.mode == Mode::Held) {
       const double pours = (p.mode == Mode::Empty ? Transitions::kFills : Transitions::kPours) * kind.slowly;
-      child(p.mode, 1 - (p.mode == Mode::Held ? 1.3 : 1) * c - Transitions::kDisturbs - kind.jolt - pours -
+      child(p.mode, 1 - (p.mode == Mode::Held ? 1.6 : 1.3) * c - Transitions::kDisturbs - kind.jolt - pours -
                         (p.mode == Mode::Empty ? kind.takes_up : 0));
       child(Mode::Changing, c);
+      child(Mode::Held, 0.3 * c, Disturbing::Hand, true);
       if (p.mode == Mode::Held) child(Mode::Empty, 0.3 * c);
       disturb();
       if (p.mode == Mode::Empty) child(Mode::Pouring, kind.takes_up, Disturbing::Hand, false, true);
-      if (blocks_ % 5 == 0) child(Mode::Pouring, 5 * pours);
+      if (blocks_ % Transitions::kSlow == 0) child(Mode::Pouring, Transitions::kSlow * pours);
     } else if (p.mode == Mode::Pouring) {
       const double ends = p.quick ? Transitions::kQuickEnds : Transitions::kPourEnds;
       child(Mode::Pouring, 1 - ends - c - Transitions::kDisturbs - kind.jolt, Disturbing::Hand, false, p.quick);
@@ -87,40 +88,57 @@ class EnumeratedStories {
       child(Mode::Changing, c);
       disturb();
     } else if (p.mode == Mode::Changing) {
-      child(Mode::Changing,
-            1 - Transitions::kSettles - (p.payload != 0 ? Transitions::kEmpties : 0) - Transitions::kTurnsOut);
+      child(Mode::Changing, 1 - Transitions::kSettles - Transitions::kEmpties - Transitions::kTurnsOut);
       child(Mode::Disturbed, Transitions::kTurnsOut);
       const bool late = kind.lag > 0 && p.star.variance(kLag) < Transitions::kLate * Transitions::kLate;
       child(Mode::Held, Transitions::kSettles * (late ? 1 - Transitions::kIsLate : 1), Disturbing::Hand, true);
       if (late) child(Mode::Held, Transitions::kSettles * Transitions::kIsLate, Disturbing::Hand, true, false, true);
-      if (p.payload != 0) child(Mode::Empty, Transitions::kEmpties);
+      child(Mode::Empty, Transitions::kEmpties);
     } else {
       const bool jolt = p.how == Disturbing::Jolt, soft = p.how == Disturbing::Growing || p.how == Disturbing::Still;
       const double ends = jolt ? Transitions::kJoltEnds : soft ? Transitions::kTouchEnds : Transitions::kDisturbEnds;
       const double turns_out = (soft ? 0.3 : 1) * Transitions::kTurnsOut * std::min(1.0, c / 1e-3);
       child(Mode::Disturbed,
-            1 - ends - turns_out -
-                (jolt ? 0 : Transitions::kOther * ((p.how != Disturbing::Hand) + (soft ? 1 : 2) * kind.slowly)),
+            1 - ends - (soft ? 2 : 1) * turns_out -
+                (jolt ? 0
+                      : Transitions::kOther * (p.how != Disturbing::Hand) +
+                            Transitions::kSoftOther * (soft ? 1 : 2) * kind.slowly),
             p.how);
       child(p.payload == 0 ? Mode::Empty : Mode::Held, ends);
       child(Mode::Changing, turns_out);
+      if (soft && blocks_ % Transitions::kSoon == 0)
+        child(Mode::Held, turns_out * Transitions::kSoon, Disturbing::Hand, true, false, false, true);
       if (jolt) return;
       for (const Disturbing how : {Disturbing::Hand, Disturbing::Growing, Disturbing::Still})
         if (how != p.how)
-          child(Mode::Disturbed, Transitions::kOther * (how == Disturbing::Hand ? 1 : kind.slowly), how);
+          child(Mode::Disturbed, how == Disturbing::Hand ? Transitions::kOther : Transitions::kSoftOther * kind.slowly,
+                how);
     }
   }
 
   Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, bool quick, bool late,
-               double log_transition) {
+               bool turned, double log_transition) {
     Tale child = parent;
     child.mode = mode;
     child.how = how;
     child.quick = quick;
     model.predict(child.star);
     if (parent.mode == Mode::Pouring && mode != Mode::Pouring) child.star.end_pour();
-    child.log_weight += log_transition + likelihood(model, parent, child, anew, late);
+    child.log_weight +=
+        log_transition + (turned ? turn(model, parent, child) : likelihood(model, parent, child, anew, late));
     return child;
+  }
+  /// The wrench has been a payload all along.
+  double turn(const Model& model, const Tale& parent, Tale& child) {
+    auto star = child.star;
+    auto wrench = parent.disturbance;
+    double squared;
+    wrench.predict(parent.how, model.block().duration, rated_);
+    const double out = wrench.observe(model, star, 0, squared) + wrench.weigh(model, child.star, prior_, rated_);
+    child.payload = child.next++;
+    draw(model, child.star);
+    child.log_plausible = plausible(child.star);
+    return out + child.log_plausible;
   }
   double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew, bool late) {
     const double duration = model.block().duration;
@@ -159,7 +177,7 @@ class EnumeratedStories {
       out = draw(model, child.star);
     } else if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
-        if (child.quick) model.suppose_hidden(child.star, prior_.com_mean);
+        if (child.payload == 0) model.suppose_hidden(child.star, prior_.com_mean);
         child.pour.begin(child.star, prior_, rated_, child.quick);
         if (child.payload == 0) child.payload = child.next++;
       }

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <rme/tracking/tracker.hpp>
 #include <synthetic_arm/panda.hpp>
-#include "story_tracker.hpp"
 
 namespace rme::testing {
 
@@ -101,7 +101,7 @@ class SimulatedBlocks {
   Vector6<double> wrench = Vector6<double>::Zero();                         ///< of a hand that pushes
   Joints jolt = Joints::Zero();                                             ///< torque on single joints
   double swing = 0, pours = 0;
-  StoryTracker<Scalar, 7> tracker;
+  Tracker<Scalar, 7> tracker;
 
  private:
   struct Moment {

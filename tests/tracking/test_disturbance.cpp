@@ -21,12 +21,14 @@ using Disturbance = rme::Disturbance<double, kDofs>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// A model in a random block.
-Model random_model(std::mt19937& random) {
+/// @param shaken  posterior variance of the flange's acceleration [(m/s^2)^2]
+Model random_model(std::mt19937& random, double shaken = 0) {
   Model model(rme::kind_of(rme::Sensing::JointFriction), rme::ArmPrior<double, kDofs>::of(kRated), kRated, 0.02,
               {0, 0, -9.81});
   rme::TorqueBlock<double, kDofs> block;
   block.duration = 0.02;
   block.samples = 20;
+  block.acceleration_variance = shaken;
   block.tau = 2 * oracle::random_matrix(random, kDofs, 1);
   block.torque_rate = oracle::random_matrix(random, kDofs, 1);
   block.regressor = oracle::random_matrix(random, kDofs, kInertial);
@@ -77,7 +79,11 @@ TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of a dense Ga
       if (k > 0) disturbance.predict(Disturbing::Hand, 0.02, kRated);
       const Model model = random_model(random);
       // tau = h^T x + c^T beta + J^T w + noise. Jointly with x the wrench is not: x keeps its distribution.
-      const Matrix P = star.covariance(), W = disturbance.covariance();
+      // What is not known of the payload does not count.
+      Matrix P = star.covariance();
+      const Matrix W = disturbance.covariance();
+      P.rightCols(kShared - rme::kPayload).setZero();
+      P.bottomRows(kShared - rme::kPayload).setZero();
       const Matrix JT = oracle::transposed(model.block().jacobian);
       Matrix U(kDofs, kShared), own = Matrix::Zero(kDofs, kDofs);
       Vector e(kDofs);
@@ -160,6 +166,93 @@ TEST_CASE("Disturbance: a hand trembles, a growing wrench grows along itself, a 
   disturbance.begin(kRated);
   CHECK((disturbance.covariance() - any_wrench()).norm() < 1e-9);
   CHECK(disturbance.mean().isZero(0));
+}
+
+TEST_CASE("Disturbance: a wrench that acts like a weight has the noise of that weight's inertia", "[disturbance]") {
+  // Known to be the weight of 2 kg: the block is then as likely as with a payload of 2 kg more.
+  const unsigned seed = 563;
+  CAPTURE(seed);
+  for (const double shaken : {0.0, 1.0}) {
+    std::mt19937 random(seed);
+    Disturbance disturbance;
+    disturbance.begin(kRated);
+    for (int k = 0; k < 4000; ++k) {
+      Model model = random_model(random);
+      auto block = model.block();
+      rme::Vector6<double> weight;
+      weight << 0, 0, -2 * 9.81, 0, 0, 0;
+      block.tau = block.jacobian.transpose() * weight;
+      rme::FrictionRegime<double, kDofs> regime;
+      regime.update(block);
+      model.begin(block, regime);
+      Star empty;
+      double squared;
+      disturbance.observe(model, empty, 0, squared);
+    }
+    REQUIRE(disturbance.mean()[2] == Approx(-2 * 9.81).epsilon(1e-2));
+    const Model model = random_model(random, shaken);
+    Star star, copy;
+    double squared = 0, expected = 0;
+    disturbance.observe(model, star, 0, squared);
+    for (int j = 0; j < kDofs; ++j) {
+      const auto p = copy.predict(j, model.observation(j, -disturbance.mean()[2] / 9.81));
+      expected += p.innovation * p.innovation / p.variance;
+    }
+    CHECK(squared == Approx(expected).epsilon(0.05));
+    if (shaken > 0) CHECK(model.observation(0, 2).noise > 1.5 * model.observation(0, 0).noise);
+  }
+}
+
+TEST_CASE("Disturbance: a wrench turns out a payload by the ratio of two dense Gaussians", "[disturbance]") {
+  const unsigned seed = 564;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const auto prior = rme::PayloadPrior<double>::of(kRated);
+  for (int trial = 0; trial < 10; ++trial) {
+    CAPTURE(trial);
+    Star star;
+    star.set_arm(Eigen::Matrix<double, rme::kArmShared, 1>::Constant(0.04));
+    if (trial % 2 == 0)
+      star.draw_payload(oracle::random_matrix(random, kInertial, 1).cwiseAbs(),
+                        0.1 * oracle::random_matrix(random, kInertial, kInertial));
+    for (int j = 0; j < kDofs; ++j)
+      star.joint(j).covariance = oracle::square(oracle::random_matrix(random, kJointNuisances, kJointNuisances));
+    Disturbance disturbance;
+    disturbance.begin(kRated);
+    Model model = random_model(random);
+    for (int k = 0; k < 6; ++k) {  // in poses that show all of the wrench
+      model = random_model(random);
+      Star copy = star;
+      double squared;
+      disturbance.observe(model, copy, 0, squared);
+    }
+    // All blocks together are one measurement z of the wrench, with an error that is added up from theirs and the arm's.
+    const Matrix C = disturbance.covariance(), W = any_wrench(), one = Matrix::Identity(6, 6);
+    const Matrix shown = oracle::solve(oracle::solve(C, one) - oracle::solve(W, one), one);
+    Matrix U(kDofs, kShared), arm = Matrix::Zero(kDofs, kDofs);
+    for (int j = 0; j < kDofs; ++j) {
+      const auto o = model.observation(j, star.mass());
+      U.row(j) = (o.h + star.joint(j).slope * o.c).transpose();
+      arm(j, j) = o.c.dot(star.joint(j).covariance * o.c) + o.noise;
+    }
+    const Matrix S = oracle::congruence(U, star.covariance()) + arm;
+    const Matrix J = model.block().jacobian;
+    // Three joints show three directions of the wrench; the others are hardly known.
+    const Matrix once = oracle::product(J, oracle::solve(S, oracle::transposed(J))) + 1e-6 * oracle::solve(W, one);
+    const Matrix error = shown + oracle::solve(once, one);
+    const Vector z = oracle::product(shown, oracle::solve(C, Matrix(disturbance.mean())));
+    Matrix Y = Matrix::Zero(6, 4);
+    Y(2, 0) = -9.81;
+    Y(3, 2) = -9.81;  // r x (0, 0, -g) = (-g r_y, g r_x, 0)
+    Y(4, 1) = 9.81;
+    const double mass = std::clamp(star.mass() - disturbance.mean()[2] / 9.81, 0.02 * kRated, kRated);
+    const Matrix L = prior.factor(mass * mass).topLeftCorner<4, 4>();
+    const Vector change = prior.mean().head<4>() - star.payload_mean().head<4>();
+    const Matrix with_payload = oracle::congruence(Y, oracle::square(L)) + error, with_any = W + error;
+    const double expected =
+        oracle::log_normal(z - oracle::product(Y, change), with_payload) - oracle::log_normal(z, with_any);
+    CHECK(disturbance.weigh(model, star, prior, kRated) == Approx(expected).epsilon(1e-3).margin(1e-3));
+  }
 }
 
 TEST_CASE("Disturbance: a torque that is no number has no likelihood, and one that is huge has a finite one",

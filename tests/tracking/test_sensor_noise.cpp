@@ -170,7 +170,7 @@ TEST_CASE("SensorNoise: an event is no noise, nor what lies between blocks that 
   noise.learn(1, Joints::Constant(5), Joints::Ones(), block, regime, kNone);
   noise.learn(1, Joints::Zero(), Joints::Ones(), block, regime, kNone);
   CHECK(noise.variance(0) < 1.035 * before);
-  // Interrupted, or of the other hypothesis: no difference.
+  // Interrupted, or of another payload: no difference.
   const double now = noise.variance(0);
   noise.interrupt();
   noise.learn(1, Joints::Constant(5), Joints::Ones(), block, regime, kNone);
@@ -273,6 +273,7 @@ TEST_CASE("SensorNoise: links are as wrong as the residuals of all joints say", 
     Joints one = Joints::Zero();
     one[3] = 1;
     CHECK(deviation(one) == Approx(rated / 3 * 0.1 / 9.81 / std::sqrt(7.0)).epsilon(0.1));
+    CHECK(Noise(kind_of(Sensing::RoughModel), arm).first_moment_variance() == 0);
   }
 }
 
@@ -414,7 +415,7 @@ TEST_CASE("SensorNoise: noise of joints that turn over is rescaled by the innova
   }
 }
 
-/// Each joint's residual by a scalar Kalman filter that believes in the scale that is being learned: what the bank does.
+/// Each joint's residual by a scalar Kalman filter that believes in the scale that is being learned: what a story does.
 TEST_CASE(
     "SensorNoise: residuals of known sizes, one per joint, are learned to a factor of 1.6 by filters that use them",
     "[noise]") {

@@ -8,6 +8,8 @@
 #include <rme/core/cholesky.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
+#include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/inertial_parameters.hpp>
 #include <rme/tracking/joint_torque_model.hpp>
 #include <rme/tracking/star_gaussian.hpp>
 
@@ -63,14 +65,19 @@ class Disturbance {
     Eigen::Matrix<Scalar, Dofs, kShared> spread;
     Eigen::Matrix<Scalar, Dofs, Dofs> total;
     std::array<typename Star::Prediction, static_cast<std::size_t>(Dofs)> predictions;
+    // A wrench that is a weight has the noise of its inertia: otherwise noise of dq alone would decide between both.
+    const Scalar mass = std::max(Scalar(0), star.mass() + weighs(model));
     for (int j = 0; j < Dofs; ++j) {
       auto& p = predictions[static_cast<std::size_t>(j)];
-      p = star.predict(j, model.observation(j, star.mass()));
+      p = star.predict(j, model.observation(j, mass));
       squared += p.innovation * p.innovation / p.variance;
       const Scalar own = jolt * model.arm().residual[j];
       p.given_shared += own * own;
       e[j] = p.innovation;
-      for (int i = 0; i < kShared; ++i) spread(j, i) = p.spread[i];
+      // An error of the payload is the same in all blocks, and the wrench takes it in the first. Counted in each, it would
+      // favour stories that know little of the payload.
+      const typename Star::X arm = star.arm_spread(p);
+      for (int i = 0; i < kShared; ++i) spread(j, i) = arm[i];
     }
     const Eigen::Matrix<Scalar, Dofs, 6> cross = detail::transposed_product(J, covariance_);
     total = detail::product(cross, J);
@@ -106,6 +113,68 @@ class Disturbance {
     return Scalar(-0.5) * detail::dot(white, white) - factor.log_det_lower();
   }
 
+  /// How much better a payload explains the wrench than any wrench does: the log of the ratio of the two likelihoods of
+  /// all blocks since it began, the last one included (docs/theory.md (T49)). The payload takes the place of star's.
+  /// @param model    of the arm
+  /// @param star     state; its errors, and those of its payload, are errors of the wrench as well
+  /// @param payload  what may be held
+  /// @param rated    rated payload [kg]
+  Scalar weigh(const Model& model, const Star& star, const PayloadPrior<Scalar>& payload, Scalar rated) const noexcept {
+    using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
+    constexpr auto kNone = -std::numeric_limits<Scalar>::infinity();
+    const Matrix6 W = any(rated);
+    Matrix6 none = Matrix6::Zero();  // W^-1: what is known of a wrench that nothing is known of
+    for (int i = 0; i < 6; ++i) none(i, i) = Scalar(1) / W(i, i);
+    const Cholesky<Scalar, 6> known(covariance_);
+    if (!known.positive_definite()) return kNone;
+    // What the blocks have shown, as information: that of the wrench less that of its prior.
+    Matrix6 shown = known.inverse();
+    shown -= none;
+    Vector6<Scalar> shown_mean = known.solve(mean_);
+    // It cannot be more than one block shows, however many there were: the arm's errors are the same in all of them.
+    const Matrix6 once = information(model, star);
+    Matrix6 sum = shown;
+    sum += once;
+    detail::add_scaled(sum, Scalar(1e-6), none);
+    const Cholesky<Scalar, 6> both(sum);
+    if (!both.positive_definite()) return kNone;
+    shown_mean -= detail::product(shown, both.solve(shown_mean));
+    const Matrix6 lost = detail::product(shown, both.solve(shown));
+    shown -= lost;
+    // Of any wrench.
+    none += shown;
+    const Cholesky<Scalar, 6> any_wrench(none);
+    if (!any_wrench.positive_definite()) return kNone;
+    Scalar log_any = Scalar(0.5) * detail::dot(shown_mean, any_wrench.solve(shown_mean)) - any_wrench.log_det_lower();
+    for (int i = 0; i < 6; ++i) log_any -= Scalar(0.5) * std::log(W(i, i));
+    // Of the weight of a payload, w = Y (phi - held), where phi is from the prior for the mass that the wrench shows.
+    const Eigen::Matrix<Scalar, 6, 4> Y = weight_regressor(model);
+    const Scalar mass = std::max(Scalar(0.02) * rated, std::min(rated, star.mass() + weighs(model)));
+    const InertialVector<Scalar> phi = payload.mean(), held_phi = star.payload_mean();
+    const InertialMatrix<Scalar> factor = payload.factor(mass * mass);
+    Vector4<Scalar> mean, held;
+    Matrix4<Scalar> L;
+    for (int i = 0; i < 4; ++i) {
+      mean[i] = phi[i];
+      held[i] = held_phi[i];
+      for (int k = 0; k < 4; ++k) L(i, k) = factor(i, k);
+    }
+    const Matrix4<Scalar> G = detail::transposed_product(Y, Eigen::Matrix<Scalar, 6, 4>(detail::product(shown, Y)));
+    const Vector4<Scalar> pull = detail::transposed_product(Y, shown_mean), back = detail::product(G, held);
+    Vector4<Scalar> slope = pull;
+    slope += back;
+    const Vector4<Scalar> at_mean = detail::product(G, mean);
+    const Vector4<Scalar> white = detail::transposed_product(L, detail::difference(slope, at_mean));
+    Matrix4<Scalar> spread = detail::transposed_product(L, Matrix4<Scalar>(detail::product(G, L)));
+    for (int i = 0; i < 4; ++i) spread(i, i) += Scalar(1);
+    const Cholesky<Scalar, 4> of_payload(spread);
+    if (!of_payload.positive_definite()) return kNone;
+    const Scalar log_payload = detail::dot(mean, slope) - Scalar(0.5) * detail::dot(mean, at_mean) -
+                               detail::dot(pull, held) - Scalar(0.5) * detail::dot(held, back) +
+                               Scalar(0.5) * detail::dot(white, of_payload.solve(white)) - of_payload.log_det_lower();
+    return log_payload - log_any;
+  }
+
   const Vector6<Scalar>& mean() const noexcept { return mean_; }                          ///< of w [N, N m]
   const Eigen::Matrix<Scalar, 6, 6>& covariance() const noexcept { return covariance_; }  ///< of w
 
@@ -119,6 +188,38 @@ class Disturbance {
   static constexpr double kTrembleTime = 0.02;  // [s]
   static constexpr double kOwn = 2e-4;          // tremble of a growing wrench in all directions
   static constexpr double kGrowth = 0.0265;     // its growth along itself in kTrembleTime, per rated payload [N/kg]
+  /// d w / d (m, m r) of a weight in the block's last pose, 6x4.
+  static Eigen::Matrix<Scalar, 6, 4> weight_regressor(const Model& model) noexcept {
+    const Eigen::Matrix<Scalar, 6, kInertial> all =
+        inertial_wrench_regressor<Scalar>(model.block().rotation, model.gravity(), FlangeMotion<Scalar>());
+    Eigen::Matrix<Scalar, 6, 4> Y;
+    for (int i = 0; i < 6; ++i)
+      for (int k = 0; k < 4; ++k) Y(i, k) = all(i, k);
+    return Y;
+  }
+  /// The mass whose weight the wrench has along gravity [kg].
+  Scalar weighs(const Model& model) const noexcept {
+    const Vector3<Scalar>& g = model.gravity();
+    return (mean_[0] * g[0] + mean_[1] * g[1] + mean_[2] * g[2]) / detail::dot(g, g);
+  }
+  /// Inverse covariance of the wrench that one block shows, given what is known of the arm.
+  static Eigen::Matrix<Scalar, 6, 6> information(const Model& model, const Star& star) noexcept {
+    Eigen::Matrix<Scalar, Dofs, kShared> spread;
+    Eigen::Matrix<Scalar, Dofs, 6> transposed;
+    std::array<Scalar, static_cast<std::size_t>(Dofs)> own;
+    for (int j = 0; j < Dofs; ++j) {
+      const auto p = star.predict(j, model.observation(j, star.mass()));
+      for (int i = 0; i < kShared; ++i) spread(j, i) = p.spread[i];
+      for (int i = 0; i < 6; ++i) transposed(j, i) = model.block().jacobian(i, j);
+      own[static_cast<std::size_t>(j)] = p.given_shared;
+    }
+    Eigen::Matrix<Scalar, Dofs, Dofs> total = detail::outer_square(spread);
+    for (int j = 0; j < Dofs; ++j) total(j, j) += own[static_cast<std::size_t>(j)];
+    const Cholesky<Scalar, Dofs> factor(total);
+    if (!factor.positive_definite()) return Eigen::Matrix<Scalar, 6, 6>::Zero();
+    const Eigen::Matrix<Scalar, Dofs, 6> white = factor.solve_lower(transposed);
+    return detail::transposed_product(white, white);
+  }
   static Eigen::Matrix<Scalar, 6, 6> any(Scalar rated) noexcept {
     Eigen::Matrix<Scalar, 6, 6> W = Eigen::Matrix<Scalar, 6, 6>::Zero();
     for (int i = 0; i < 6; ++i) {

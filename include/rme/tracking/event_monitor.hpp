@@ -1,5 +1,5 @@
 #pragma once
-/// Events, from the probabilities of the hypotheses.
+/// Events, from the probabilities of the modes.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -46,16 +46,16 @@ struct Event {
   double over = 0;                   ///< when it was found to be over [s]
 };
 
-/// Derives events from the likeliest hypothesis (docs/theory.md, "Hypotheses"). An event begins when an exchange, a
-/// push or filling is likeliest, or when the hand is found empty that held something, or the reverse. It is over once
-/// an empty hand or a steady payload has been likeliest for 0.1 s. It is also over 0.4 s after an exchange was
-/// likeliest for the last time, unless a push is likeliest then. If the payload is then the same as before and nothing
-/// pushed, it does not count as an event. No call allocates.
+/// Derives events from the likeliest mode (docs/theory.md, "What is reported"). An event begins when a change, a
+/// disturbance or a pour is likeliest, or when the hand is found empty that held something, or the reverse. It is over
+/// once Empty or Held has been likeliest for 0.1 s. It is also over 0.4 s after Changing was likeliest for the last
+/// time, unless Disturbed is likeliest then. If the payload is then the same as before and nothing pushed, it does not
+/// count as an event. No call allocates.
 template <typename Scalar>
 class EventMonitor {
  public:
   /// Advances by one block.
-  /// @param probability  of each hypothesis after the block
+  /// @param probability  of each mode after the block
   /// @param begin        time at which the block begins [s]
   /// @param end          time at which the block ends [s]
   /// @param now          present time [s], later than `end` by the computation of the block
@@ -105,8 +105,8 @@ class EventMonitor {
   }
 
  private:
-  static constexpr double kQuiet = 0.1;  // how long Empty or Steady has to be likeliest at the end of an event [s]
-  static constexpr double kKnown = 0.4;  // how long after an exchange the event is over in any case [s]
+  static constexpr double kQuiet = 0.1;  // how long Empty or Held has to be likeliest at the end of an event [s]
+  static constexpr double kKnown = 0.4;  // how long after a change the event is over in any case [s]
 
   void finish(bool empty, double now, Scalar mass, Scalar deviation) noexcept {
     using std::abs;
@@ -132,7 +132,7 @@ class EventMonitor {
   Event last_;
   bool was_empty_ = true;
   Scalar mass_ = Scalar(0), deviation_ = Scalar(0);  // mass before the event, and its standard deviation [kg]
-  // of the current event: whether it goes on, and whether Exchanged, Pushed and Filling were likeliest in it
+  // of the current event: whether it goes on, and whether a change, a push and a pour were likeliest in it
   bool changing_ = false, exchanged_ = false, pushed_ = false, filled_ = false;
   double onset_ = 0, noticed_ = 0, quiet_ = 0, exchanged_at_ = -1;  // [s]
 };

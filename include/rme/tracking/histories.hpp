@@ -126,7 +126,7 @@ class Histories {
   Scalar innovation_squared() const noexcept { return innovation_squared_; }
   const JointTorqueModel<Scalar, Dofs>& model() const noexcept { return filter_.model(); }  ///< of the arm
 
-  /// Probability that something is poured, or that something else acts on the arm.
+  /// Probability that something is poured, or that something else acts on the arm, of this kind's stories.
   Scalar disturbed() const noexcept {
     Scalar sum = Scalar(0);
     for (int i = 0; i < count_; ++i)
@@ -218,10 +218,12 @@ class Histories {
     using std::log;
     if (!due(i, t) || planned_ == kPlans) return;
     const Tale& parent = told(i);
-    const bool exchange = t.mode == Mode::Changing || t.anew;
+    const bool exchange = t.mode == Mode::Changing || t.anew || (t.mode == Mode::Empty && parent.mode == Mode::Held);
     auto log_probability = static_cast<Scalar>(log(t.probability));
-    if (exchange_likely_ && parent.settled())
-      log_probability = exchange ? log(Scalar(0.25)) : log_probability + log(Scalar(0.5));
+    if (exchange_likely_ && parent.settled()) {  // as much as everything else together
+      const double all = model().kind().change * (1 + (parent.mode == Mode::Held ? 2 : 1) * Transitions::kAtOnce);
+      log_probability += static_cast<Scalar>(log(exchange ? 0.5 / all : 0.5));
+    }
     if (parent.log_weight + log_probability < heaviest_ - depth()) return;
     plans_[at(planned_++)] = {i, t, log_probability};
   }
@@ -317,7 +319,8 @@ class Histories {
         order[at(place)] = order[at(place - 1)];
       order[at(place)] = i;
     }
-    innovation_squared_ = settled_squared_ > 0 ? settled_squared_ : squared_[at(order[0])];
+    const bool settled = next(order[0]).mode != Mode::Disturbed && settled_squared_ > 0;
+    innovation_squared_ = settled ? settled_squared_ : squared_[at(order[0])];
     Scalar total = Scalar(0);
     const Scalar best = next(order[0]).log_weight, depth = this->depth();
     count_ = 0;
@@ -334,7 +337,7 @@ class Histories {
     Scalar nothing = Scalar(0);
     for (int i = 0; i < count_; ++i)
       if (told(i).mode == Mode::Empty || told(i).mode == Mode::Held) nothing += weight(i);
-    if (nothing > Scalar(0.9) && settled_payload_ >= 0)
+    if (nothing > Scalar(0.5) && settled_payload_ >= 0)
       filter_.model().learn(settled_payload_, settled_innovation_.innovation, settled_innovation_.variance);
     else
       filter_.model().interrupt();

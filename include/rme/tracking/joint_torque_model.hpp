@@ -143,6 +143,7 @@ class JointTorqueModel {
   void interrupt() noexcept { noise_.interrupt(); }                           ///< something happened in this block
   const SensorNoise<Scalar, Dofs>& noise() const noexcept { return noise_; }  ///< learned noise and residual
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< the block of the last begin()
+  const Vector3<Scalar>& gravity() const noexcept { return gravity_; }        ///< g [m/s^2], world axes
   const SensingKind& kind() const noexcept { return kind_; }                  ///< row of the kind of torque sensing
   const ArmPrior<Scalar, Dofs>& arm() const noexcept { return arm_; }         ///< with the friction that the kind sees
 
@@ -347,7 +348,7 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
   using std::abs;
   JointObservation<Scalar> o;
   o.torque = block_.tau[j];
-  o.h[kLag] = block_.torque_rate[j];
+  o.h[kLag] = block_.observer_time * block_.torque_rate[j];
   for (int i = 0; i < 4; ++i) o.h[kTool + i] = block_.regressor(j, i);
   for (int i = 0; i < 2; ++i) o.h[kTilt + i] = tilt_(j, i);
   for (int i = 0; i < kInertial; ++i) o.h[kPayload + i] = block_.regressor(j, i);

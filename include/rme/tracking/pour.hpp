@@ -56,8 +56,8 @@ class Pour {
 
  private:
   static constexpr double kRate = 0.03;  // standard deviation of the rate of mass per rated payload [1/s]
-  static constexpr double kQuickRate = 0.12, kQuickTime = 0.5;  // the same of what is taken up quickly
-  static constexpr double kRateTime = 3;                        // correlation time of the rate [s]
+  static constexpr double kQuickRate = 0.4, kQuickTime = 0.5;  // the same of what is taken up quickly
+  static constexpr double kRateTime = 3;                       // correlation time of the rate [s]
   static constexpr double kFlowTime = 0.02;  // the flow's own noise: what flows at kRate in this time, each time [s]
   static constexpr double kSpread = 0.7;     // spread of what is poured about the payload's centre, in com_std
 

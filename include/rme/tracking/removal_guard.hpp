@@ -8,7 +8,7 @@
 namespace rme {
 
 /// Compares, tick by tick, the payload's torque with the external torque. When an object is dropped, the compensation
-/// pushes the empty hand upwards until the filters have noticed. The guard notices within milliseconds. It also acts
+/// pushes the empty hand upwards until the stories have noticed. The guard notices within milliseconds. It also acts
 /// when somebody lifts the object: the arm then sags a little, which is the safer error.
 ///
 ///     share = clamp(2 (tau - nu) . t / t . t, 0, 1)     (docs/theory.md (T35))

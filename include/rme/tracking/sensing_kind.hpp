@@ -19,7 +19,7 @@ inline constexpr std::size_t kSensings = 3;  ///< number of kinds of torque sens
 struct SensingKind {
   double evidence;          ///< log probability of the kind before the first sample, up to a constant [nats]
   double friction;          ///< share of ArmPrior's friction that tau_ext contains
-  double lag;               ///< standard deviation of the lag beyond the stated observer [s]
+  double lag;               ///< standard deviation of the lag beyond the stated observer, in its time constants
   double tool;              ///< standard deviation of the tool's mass error, as a share of the rated payload
   double residual;          ///< standard deviation of the residual at first, times the joint's scale [N m]
   double least_residual;    ///< its lower bound
@@ -50,13 +50,14 @@ struct SensingKind {
 
 /// The kinds, in the order of Sensing.
 inline constexpr std::array<SensingKind, kSensings> kSensingKinds = {{
-    // evid fric lag   tool   res   least  largest way turn creep rest stic turn stop slow own com size memory settles change jolt depth quiet
-    {-8, 0, 0.0025, 0.01, 0.015, 0.005, 0.1, 0.7,  0, 0,  0, 0, 0,   0,   0,
-     4,  0, 0,      0.96, 100,   1e-3,  0,   1e-3, 1, 20, 1, 0, 1.5, true},
-    {0, 1, 0.0025, 0.01, 0.015, 0.005, 0.1,  0.7,  0, 0.05, 0, 0, 0,   0,   0,
-     4, 0, 0,      0.96, 100,   1e-3,  2e-4, 1e-3, 1, 20,   1, 0, 1.5, true},
-    {-40, 1, 0,   0.01, 0.3, 0.1,     4,      1.2,  1,    0.5, 0.5, 16,   6, 20,   0.003,
-     0,   1, 0.5, 0.9,  1e9, 1.25e-5, 2.5e-5, 1e-2, 0.01, 25,  1.5, 0.02, 0, false},
+    // evidence friction lag tool; residual least largest way; turn creep creep_at_rest stiction turn_noise stop_noise
+    // slow; own common size memory settles; change takes_up jolt slowly depth; spread gain quiet draws
+    {-8, 0, 0.125, 0.003, 0.015, 0.005, 0.1, 0.7,  0, 0,  0, 0, 0,   0,   0,
+     4,  0, 0,     0.96,  100,   1e-3,  0,   1e-3, 1, 20, 1, 0, 1.5, true},
+    {0, 1, 0.125, 0.003, 0.015, 0.005, 0.1,  0.7,  0, 0.05, 0, 0, 0,   0,   0,
+     4, 0, 0,     0.96,  100,   1e-3,  2e-4, 1e-3, 1, 20,   1, 0, 1.5, true},
+    {-40, 1, 0,   0.003, 0.3, 0.1,     4,      1.2,  1,    0.5, 0.5, 16,   6, 20,   0.003,
+     0,   1, 0.5, 0.9,   1e9, 1.25e-5, 2.5e-5, 1e-2, 0.01, 25,  1.5, 0.02, 0, false},
 }};
 
 /// The row of a kind.

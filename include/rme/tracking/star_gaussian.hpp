@@ -12,7 +12,7 @@ namespace rme {
 
 /// What all joints share, x: first what belongs to the arm, then the payload. Each is the index of a first entry.
 enum Shared : int {
-  kLag = 0,      ///< lag of the torque beyond the stated observer [s]
+  kLag = 0,      ///< lag of the torque beyond the stated observer, in time constants of that observer (no unit)
   kTool = 1,     ///< mass and first moment that the robot's own model lacks at the last link, 4 entries [kg, kg m]
   kTilt = 5,     ///< error of gravity's direction: rotation about two axes across gravity, 2 entries [rad]
   kPayload = 7,  ///< phi of the payload, 10 entries; if something is poured, phi before that
@@ -57,8 +57,9 @@ struct JointObservation {
 ///     x ~ N(mean, F F^T),   beta_j | x ~ N(b_j + B_j x, V_j)
 ///
 /// A joint's torque depends only on x and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
-/// cost of a dense covariance. forget_payload(), pour() and end_pour() would couple the joints. Each of them gives the nearest
-/// star instead, which has the right mean and covariance of every pair (x, beta_j) (docs/theory.md, "The star").
+/// cost of a dense covariance. forget_payload(), widen_arm(), pour() and end_pour() would couple the joints. Each of
+/// them gives the nearest star instead, which has the right mean and covariance of every pair (x, beta_j)
+/// (docs/theory.md, "The star").
 ///
 /// F is a square root of the covariance of x, and is updated as such (Potter's form: Maybeck, Stochastic Models,
 /// Estimation, and Control 1, 7.3). So rounding cannot make the covariance indefinite, even in float. An empty hand has
@@ -68,7 +69,7 @@ template <typename Scalar, int Dofs>
 class StarGaussian {
  public:
   using X = SharedVector<Scalar>;                                 ///< 21x1
-  using XMatrix = SharedMatrix<Scalar>;                           ///< 21x17
+  using XMatrix = SharedMatrix<Scalar>;                           ///< 21x21
   using Beta = JointNuisanceVector<Scalar>;                       ///< 5x1
   using BetaMatrix = JointNuisanceMatrix<Scalar>;                 ///< 5x5
   using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 21x5
@@ -191,6 +192,15 @@ class StarGaussian {
       for (int k = 0; k < size_; ++k) joint.slope(k, i) += p.gain_row[k] * minus_gain[i];
     detail::add_scaled(joint.mean, -p.conditional_error, minus_gain);
     detail::add_outer(joint.covariance, minus_gain, p.nuisance_spread);
+  }
+  /// F^T u without what the payload has in u: how an error of what belongs to the arm shows in an observation.
+  X arm_spread(const Prediction& p) const noexcept {
+    X out;
+    for (int k = 0; k < kShared; ++k) {
+      out[k] = Scalar(0);
+      for (int i = 0; i < kArmShared; ++i) out[k] += factor_(i, k) * p.gain_row[i];
+    }
+    return out;
   }
   /// cov(x, y) = F F^T u of an observation.
   X covariance_row(const Prediction& p) const noexcept { return detail::product(factor_, p.spread); }

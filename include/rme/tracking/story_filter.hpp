@@ -66,6 +66,7 @@ class StoryFilter {
         child.disturbance.predict(child.how, duration, rated_);
       return child.disturbance.observe(model_, child.star, jolt ? Scalar(kJolt) : Scalar(0), out.squared);
     }
+    if (transition.turned) return turn(child, parent, children, out);
     if (child.mode == Mode::Changing) {
       if (model_.kind().draws) {
         Tale& drawn = children.drawn();
@@ -89,7 +90,7 @@ class StoryFilter {
     Scalar log_likelihood = Scalar(0);
     if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
-        if (child.quick) model_.suppose_hidden(child.star, payload_.com_mean);
+        if (child.payload == 0) model_.suppose_hidden(child.star, payload_.com_mean);
         child.pour.begin(child.star, payload_, rated_, child.quick);
         if (child.payload == 0) child.payload = child.take_next();
       }
@@ -113,6 +114,23 @@ class StoryFilter {
   }
 
  private:
+  /// What was taken for a wrench has been a weight all along. The blocks since it began are as likely as with the wrench,
+  /// times how much better or worse a payload explains what is known of the wrench.
+  template <typename Children>
+  Scalar turn(Tale& child, const Tale& parent, Children& children, Innovation& out) noexcept {
+    Tale& wrench = children.drawn();
+    wrench.star = child.star;
+    wrench.disturbance = parent.disturbance;
+    wrench.disturbance.predict(parent.how, model_.block().duration, rated_);
+    Scalar log_likelihood = wrench.disturbance.observe(model_, wrench.star, Scalar(0), out.squared);
+    log_likelihood += wrench.disturbance.weigh(model_, child.star, payload_, rated_);
+    child.payload = child.take_next();
+    draw(child, children.first(), out);
+    (void)update(child, out);
+    child.log_plausible = log_plausible(child.star, kLightest);
+    return log_likelihood + child.log_plausible;
+  }
+
   static constexpr double kLightest = 0.007, kHeaviest = 1.2;  // times the rated payload: 20 g and 3.6 kg on a Panda
 
   /// Draws a new payload. The prior of m r needs the mass, and the block itself shows the mass best. So the prior is for

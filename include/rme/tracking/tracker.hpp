@@ -8,7 +8,6 @@
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
-#include <rme/tracking/bank/hypothesis_bank.hpp>
 #include <rme/tracking/friction_regime.hpp>
 #include <rme/tracking/histories.hpp>
 #include <rme/tracking/mode.hpp>
@@ -20,21 +19,22 @@ namespace rme {
 /// The estimate after a block.
 template <typename Scalar>
 struct TrackerBelief {
-  PerMode<Scalar> probability;              ///< of each mode, sum 1
-  Scalar empty = Scalar(1);                 ///< probability that the hand holds nothing
-  InertialGaussian<Scalar> payload;         ///< of phi, given that the hand is not empty
+  PerMode<Scalar> probability;       ///< of each mode, sum 1
+  Scalar empty = Scalar(1);          ///< probability that the hand holds nothing, disturbed or not
+  InertialGaussian<Scalar> payload;  ///< of phi, given that something is held
+  /// Mean of what the robot's own model lacks at the last link: (m, m r) [kg, kg m], end-effector axes.
+  Vector4<Scalar> tool = Vector4<Scalar>::Zero();
   std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing, sum 1
   /// Normalised innovation squared, averaged over a second (docs/theory.md (T30)): 1 if the torque is as the model
   /// predicts it, at most 100.
   Scalar health = Scalar(1);
 };
 
-/// Runs a filter for each kind of torque sensing, and averages their estimates by the probabilities of the kinds
-/// (docs/theory.md, "The tracker"): a HypothesisBank where the arm's model is good, Histories where it is rough and a
-/// decision has to wait for seconds. The kind is a property of the arm: its probabilities follow from how well each
-/// filter predicts the torque while the arm moves, and are remembered from event to event.
+/// Runs Histories for each kind of torque sensing, and averages their estimates by the probabilities of the kinds
+/// (docs/theory.md, "The tracker"). The kind is a property of the arm: its probabilities follow from how well the
+/// stories of each kind predict the torque while the arm moves, and are remembered from event to event.
 ///
-/// Real time: nothing allocates. The work for a block is divided into calls of advance(), one filter each.
+/// Real time: nothing allocates. The work for a block is divided into calls of advance(), one child of a story each.
 template <typename Scalar, int Dofs>
 class Tracker {
  public:
@@ -47,13 +47,11 @@ class Tracker {
           std::optional<Sensing> known, const Vector3<Scalar>& gravity) noexcept
       : payload_(payload),
         rated_(rated_payload),
-        banks_{Bank(Sensing::LinkSide, arm, payload, rated_payload),
-               Bank(Sensing::JointFriction, arm, payload, rated_payload)},
-        rough_(kind_of(Sensing::RoughModel), arm, payload, rated_payload, gravity) {
-    if (known) {
-      evidence_.fill(-kDecided);
-      evidence_[static_cast<std::size_t>(*known)] = 0;
-    }
+        kinds_{Histories<Scalar, Dofs>(kind_of(Sensing::LinkSide), arm, payload, rated_payload, gravity),
+               Histories<Scalar, Dofs>(kind_of(Sensing::JointFriction), arm, payload, rated_payload, gravity),
+               Histories<Scalar, Dofs>(kind_of(Sensing::RoughModel), arm, payload, rated_payload, gravity)} {
+    for (std::size_t k = 0; k < kSensings; ++k)
+      evidence_[k] = !known ? kSensingKinds[k].evidence : k == static_cast<std::size_t>(*known) ? 0 : -kDecided;
     belief_.probability[Mode::Empty] = Scalar(1);
     belief_.sensing = sensing();
   }
@@ -67,36 +65,30 @@ class Tracker {
     duration_ = block.duration;
     speed_ = block.velocity.norm();
     last_axis_ = detail::transposed_product(block.rotation, Vector3<Scalar>(block.jacobian.col(Dofs - 1).tail(3)));
-    bank::BlockContext<Scalar> context;
+    BlockContext<Scalar, Dofs> context;
     context.exchange_likely = exchange_likely;
     context.friction_shows = belief_.sensing[static_cast<std::size_t>(Sensing::LinkSide)] < Scalar(kCertain);
-    const InertialVector<Scalar> carried = detail::scaled(Scalar(1) - belief_.empty, belief_.payload.mean);
-    context.compensation_change = detail::difference(carried, carried_);
+    JointVector<Scalar, Dofs> carried;
+    if (block.carried)
+      carried = *block.carried;
+    else
+      carried = detail::product(block.regressor, detail::scaled(Scalar(-1), carried_body()));
+    if (carries_) context.compensation_change = detail::difference(carried, carried_);
+    carries_ = true;
     carried_ = carried;
-    for (std::size_t k = 0; k < kBanks; ++k) {
-      context.kind_likely = belief_.sensing[k] > Scalar(kUnlikely);
-      banks_[k].begin(block, regime_, context);
+    for (std::size_t k = 0; k < kSensings; ++k) {
+      context.log_share = static_cast<Scalar>(evidence_[k]);
+      kinds_[k].begin(block, regime_, context, children_);
     }
-    BlockContext<Scalar, Dofs> rough;
-    rough.exchange_likely = exchange_likely;
-    rough.log_share = static_cast<Scalar>(evidence_[kBanks]);
-    rough.friction_shows = context.friction_shows;
-    rough.compensation_change =
-        detail::product(block.regressor, detail::scaled(Scalar(-1), context.compensation_change));
-    rough_.begin(block, regime_, rough, children_);
-    step_ = 0;
+    kind_ = 0;
     busy_ = true;
   }
   /// Does one step of the work for the block; nothing if there is none to do.
   /// @return whether it was the last step: belief() has then been updated
   bool advance() noexcept {
     if (!busy_) return false;
-    if (step_ < kBanks * bank::kHypotheses) {
-      banks_[step_ / bank::kHypotheses].evaluate(step_ % bank::kHypotheses);
-      ++step_;
-      return false;
-    }
-    if (!rough_.advance(children_)) return false;
+    if (kinds_[kind_].advance(children_)) ++kind_;
+    if (kind_ < kSensings) return false;
     busy_ = false;
     finish();
     return true;
@@ -105,17 +97,34 @@ class Tracker {
 
   /// The estimate after the last finished block.
   const TrackerBelief<Scalar>& belief() const noexcept { return belief_; }
-  const Histories<Scalar, Dofs>& histories() const noexcept { return rough_; }  ///< the stories of a rough model
+  /// The stories of the likeliest kind of torque sensing.
+  const Histories<Scalar, Dofs>& histories() const noexcept {
+    return kinds_[static_cast<std::size_t>(std::max_element(evidence_.begin(), evidence_.end()) - evidence_.begin())];
+  }
+  const Histories<Scalar, Dofs>& histories(Sensing kind) const noexcept {  ///< the stories of one kind
+    return kinds_[static_cast<std::size_t>(kind)];
+  }
 
   /// The host says that the hand is empty. If the next blocks contradict this, the estimate follows them.
   void declare_empty() noexcept {
     settle();
-    for (auto& bank : banks_) {
-      bank.reopen_offsets();
-      bank.believe(bank::Hypothesis::Empty, Scalar(kHostIsRight));
+    for (auto& kind : kinds_) {
+      kind.reopen_offsets();
+      kind.believe_empty(Scalar(kHostIsRight));
     }
-    rough_.reopen_offsets();
-    rough_.believe_empty(Scalar(kHostIsRight));
+    summarise();
+  }
+  /// The host says that what the hand holds now belongs to the tool.
+  void tare() noexcept {
+    settle();
+    const Scalar mass = Scalar(kTareMass) * rated_, moment = Scalar(kTareArm) * mass;
+    Eigen::Matrix<Scalar, kArmShared, 1> variance = Eigen::Matrix<Scalar, kArmShared, 1>::Zero();
+    variance[kTool] = mass * mass;
+    for (int i = 1; i < 4; ++i) variance[kTool + i] = moment * moment;
+    for (auto& kind : kinds_) {
+      kind.reopen_offsets();
+      kind.tare(variance);
+    }
     summarise();
   }
   /// The host says what the hand holds. The moments of (m, m r) follow from the payload's; the inertia has its prior
@@ -139,53 +148,50 @@ class Tracker {
                   (mass * mass + variance) * V(i, j);
     }
     InertialMatrix<Scalar> factor;
-    if (!bank::StarGaussian<Scalar, Dofs>::factorise(P, factor)) return;
-    for (auto& bank : banks_) {
-      bank.reopen_offsets();
-      bank.set_payload(mean, factor);
-      bank.believe(bank::Hypothesis::Steady, Scalar(kHostIsRight));
+    if (!StarGaussian<Scalar, Dofs>::factorise(P, factor)) return;
+    for (auto& kind : kinds_) {
+      kind.reopen_offsets();
+      const Scalar spread = static_cast<Scalar>(kind.model().kind().spread);
+      kind.believe_held(mean, detail::scaled(1 / spread, factor), Scalar(kHostIsRight));
     }
-    rough_.reopen_offsets();
-    rough_.believe_held(mean, detail::scaled(Scalar(1 / kRough.spread), factor), Scalar(kHostIsRight));
     summarise();
   }
 
  private:
-  using Bank = bank::HypothesisBank<Scalar, Dofs>;
-  static constexpr std::size_t kBanks = 2;       // kinds with a bank: those before RoughModel
-  static constexpr double kHostIsRight = 0.999;  // probability of what the host says
-  // Log probability of each kind of sensing before the first sample, up to a constant [nats]. It is worse to take
-  // friction for weight than to look for friction in vain. A rough model explains nearly anything, so it has to predict
-  // much better than the others.
-  static constexpr std::array<double, kSensings> kEvidence = {-8, 0, -40};
-  // The residual of a rough model is the same again wherever the arm comes back to, but its filters treat it as new. So
-  // they are too certain: the reported standard deviations are `spread` times theirs (docs/theory.md, "Friction").
-  static constexpr SensingKind kRough = kind_of(Sensing::RoughModel);
+  static constexpr double kHostIsRight = 0.999;              // probability of what the host says
+  static constexpr double kTareMass = 0.3, kTareArm = 0.15;  // spread of a tool after tare(), per rated payload; [m]
   static constexpr double kAcross = 0.15;  // share of a link's error that counts across the last joint's axis (T28)
   // Largest difference between the log probabilities of two kinds [nats]: small enough that an arm which was changed,
   // for example at a service, is recognised after some seconds of motion.
   static constexpr double kDecided = 300;
-  static constexpr double kUnlikely = 1e-3;  // probability of a kind below which less is computed for it
+  static constexpr double kUnlikely = 1e-5;  // probability below which a kind computes less
   static constexpr double kCertain = 1e-6;   // probability of link-side sensing below which friction is certain to show
-  static constexpr double kNegligible = 1e-6;  // weight below which a part of the mixture does not count
   static constexpr double kLargestHealth = 100;
-  static constexpr double kPushed = 0.9;     // share of a block's weight that is lost while a push is likely
+  static constexpr double kDisturbed = 0.9;  // share of a block's weight that is lost while something disturbs
   static constexpr double kFullSpeed = 0.2;  // norm of dq from which a block has its full weight [rad/s]
 
+  /// What the host carries, as far as the tracker knows: the payload, and what the robot's own model lacks.
+  InertialVector<Scalar> carried_body() const noexcept {
+    InertialVector<Scalar> phi = detail::scaled(Scalar(1) - belief_.empty, belief_.payload.mean);
+    for (int i = 0; i < 4; ++i) phi[i] += belief_.tool[i];
+    return phi;
+  }
   void settle() noexcept {
     while (busy_) advance();
   }
 
   void finish() noexcept {
     using std::exp;
-    // A possible push shows little of the kind of sensing: another kind can explain it by errors of its model.
-    const auto pushed = static_cast<double>(belief_.probability[Mode::Disturbed]);
-    const double weight = std::min(1.0, static_cast<double>(speed_) / kFullSpeed) * (1 - kPushed * pushed);
-    for (std::size_t k = 0; k < kBanks; ++k) evidence_[k] += weight * static_cast<double>(banks_[k].finish());
-    evidence_[kBanks] += weight * static_cast<double>(rough_.evidence());
+    // A disturbance or a pour shows little of the kind of sensing: another kind can explain it by errors of its model.
+    Scalar hidden = Scalar(0);
+    for (std::size_t k = 0; k < kSensings; ++k)
+      if (belief_.sensing[k] > Scalar(kUnlikely)) hidden = std::max(hidden, kinds_[k].disturbed());
+    const double weight =
+        std::min(1.0, static_cast<double>(speed_) / kFullSpeed) * (1 - kDisturbed * static_cast<double>(hidden));
+    for (std::size_t k = 0; k < kSensings; ++k) evidence_[k] += weight * static_cast<double>(kinds_[k].evidence());
     const double best = *std::max_element(evidence_.begin(), evidence_.end());
     for (double& evidence : evidence_) evidence = std::max(-kDecided, evidence - best);
-    const auto squared = std::min(Scalar(kLargestHealth), likeliest_innovation());
+    const auto squared = std::min(Scalar(kLargestHealth), histories().innovation_squared());
     belief_.health += (Scalar(1) - exp(-duration_)) * (squared - belief_.health);
     summarise();
   }
@@ -200,79 +206,61 @@ class Tracker {
     return out;
   }
 
-  /// e^T S^-1 e per joint of the likeliest kind.
-  Scalar likeliest_innovation() const noexcept {
-    const auto best = std::max_element(evidence_.begin(), evidence_.end()) - evidence_.begin();
-    const auto k = static_cast<std::size_t>(best);
-    return k < kBanks ? banks_[k].innovation_squared() : rough_.innovation_squared();
-  }
-  /// The mode that a hypothesis of a bank stands for.
-  static constexpr Mode mode_of(bank::Hypothesis h) noexcept {
-    switch (h) {
-      case bank::Hypothesis::Empty:
-        return Mode::Empty;
-      case bank::Hypothesis::Steady:
-        return Mode::Held;
-      case bank::Hypothesis::Filling:
-        return Mode::Pouring;
-      case bank::Hypothesis::Exchanged:
-        return Mode::Changing;
-      case bank::Hypothesis::Pushed:
-        return Mode::Disturbed;
-    }
-    return Mode::Empty;
-  }
-  /// Calls use(mode, weight, something held, mean of phi, covariance of phi) for all that may be the case. The last
-  /// two are functions, since the first pass does not need a covariance.
+  /// Calls use(histories, i, weight) for each story i of each kind that matters.
   template <typename Use>
   void each(const std::array<Scalar, kSensings>& share, const Use& use) const noexcept {
-    for (std::size_t k = 0; k < kBanks; ++k) {
-      for (std::size_t i = 0; i < bank::kHypotheses; ++i) {
-        const auto h = static_cast<bank::Hypothesis>(i);
-        const auto& star = banks_[k].star(h);
-        use(
-            mode_of(h), share[k] * banks_[k].probability(h), h != bank::Hypothesis::Empty, [&] { return star.mean(); },
-            [&] { return star.covariance(); });
+    for (std::size_t k = 0; k < kSensings; ++k) {
+      if (!(share[k] > Scalar(kNegligible))) continue;
+      for (int i = 0; i < kinds_[k].count(); ++i) {
+        const Scalar weight = share[k] * kinds_[k].weight(i);
+        if (weight > Scalar(kNegligible)) use(kinds_[k], i, weight);
       }
-    }
-    if (!(share[kBanks] > Scalar(kNegligible))) return;
-    for (int i = 0; i < rough_.count(); ++i) {
-      use(
-          rough_.story(i).mode, share[kBanks] * rough_.weight(i), rough_.holds(i),
-          [&] { return rough_.payload(i).mean; },
-          [&] {
-            const InertialGaussian<Scalar> payload = rough_.payload(i);
-            InertialMatrix<Scalar> P = detail::scaled(Scalar(kRough.spread * kRough.spread), payload.covariance);
-            detail::add_outer(P, detail::scaled(Scalar(kRough.gain * kRough.gain), payload.mean), payload.mean);
-            return P;
-          });
     }
   }
 
   void summarise() noexcept {
+    using Kind = Histories<Scalar, Dofs>;
     const std::array<Scalar, kSensings> share = sensing();
     TrackerBelief<Scalar> out;
     out.health = belief_.health;
     out.sensing = share;
     InertialVector<Scalar> mean = InertialVector<Scalar>::Zero();
-    Scalar held = Scalar(0);
-    each(share, [&](Mode mode, Scalar w, bool holds, const auto& phi, const auto&) {
-      out.probability[mode] += w;
-      if (!holds) return;
+    InertialMatrix<Scalar> square = InertialMatrix<Scalar>::Zero();  // about the last mean, which is near
+    const InertialVector<Scalar> near = belief_.payload.mean;
+    Scalar held = Scalar(0), all = Scalar(0);
+    each(share, [&](const Kind& kind, int i, Scalar w) {
+      const Story<Scalar, Dofs>& story = kind.story(i);
+      out.probability[story.mode] += w;
+      all += w;
+      for (int n = 0; n < 4; ++n) out.tool[n] += w * story.star.mean()[kTool + n];
+      if (!kind.holds(i)) return;
       held += w;
-      detail::add_scaled(mean, w, phi());
+      InertialGaussian<Scalar> payload = kind.payload(i);
+      const auto spread = static_cast<Scalar>(kind.model().kind().spread);
+      const auto gain = static_cast<Scalar>(kind.model().kind().gain);
+      payload.covariance *= spread * spread;
+      detail::add_outer(payload.covariance, detail::scaled(gain * gain, payload.mean), payload.mean);
+      const InertialVector<Scalar> d = detail::difference(payload.mean, near);
+      detail::add_scaled(mean, w, d);
+      detail::add_scaled(square, w, payload.covariance);
+      detail::add_outer(square, detail::scaled(w, d), d);
     });
-    out.empty = std::max(Scalar(0), Scalar(1) - held);
-    if (held > 0) mean /= held;
-    out.payload.mean = mean;
-    each(share, [&](Mode, Scalar w, bool holds, const auto& phi, const auto& covariance) {
-      if (!holds || !(w > Scalar(kNegligible) * held)) return;
-      const InertialVector<Scalar> d = detail::difference(phi(), mean);
-      detail::add_scaled(out.payload.covariance, w / held, covariance());
-      detail::add_outer(out.payload.covariance, detail::scaled(w / held, d), d);
-    });
-    if (held > 0) add_model_error(share, out.payload.covariance);
+    for (Scalar& p : out.probability.values) p /= all;
+    out.tool /= all;
+    out.empty = std::max(Scalar(0), (all - held) / all);
+    if (held > 0) {
+      mean /= held;
+      square /= held;
+      detail::add_outer(square, detail::scaled(Scalar(-1), mean), mean);
+      mean += near;
+      out.payload = {mean, square};
+      add_model_error(share, out.payload.covariance);
+    }
     out.payload = within_rated(out.payload, rated_);
+    for (int i = 0; i < kInertial; ++i) {  // rounding must not leave a variance below zero
+      Scalar& variance = out.payload.covariance(i, i);
+      variance = std::max(variance, Scalar(0));
+    }
     if (!detail::finite(out.payload.mean) || !detail::finite(out.payload.covariance)) out.payload = belief_.payload;
     belief_ = out;
   }
@@ -282,26 +270,29 @@ class Tracker {
   /// joint, so its error along that joint's axis has the same effect.
   void add_model_error(const std::array<Scalar, kSensings>& share, InertialMatrix<Scalar>& covariance) const noexcept {
     Scalar variance = Scalar(0);
-    for (std::size_t k = 0; k < kBanks; ++k) variance += share[k] * banks_[k].noise().first_moment_variance();
+    for (std::size_t k = 0; k < kSensings; ++k)
+      variance += share[k] * kinds_[k].model().noise().first_moment_variance();
     for (int i = 0; i < 3; ++i) {
       covariance(1 + i, 1 + i) += Scalar(kAcross * kAcross) * variance;
       for (int j = 0; j < 3; ++j) covariance(1 + i, 1 + j) += variance * last_axis_[i] * last_axis_[j];
     }
   }
 
+  static constexpr double kNegligible = 1e-6;  // weight below which a story does not count in what is reported
+
   PayloadPrior<Scalar> payload_;
   Scalar rated_;
   FrictionRegime<Scalar, Dofs> regime_;
-  std::array<Bank, kBanks> banks_;
-  Histories<Scalar, Dofs> rough_;
-  typename Histories<Scalar, Dofs>::Children children_;  // of rough_'s stories
-  std::array<double, kSensings> evidence_ = kEvidence;   // log probability, up to a constant [nats]
-  std::size_t step_ = 0;                                 // steps of the banks done for this block
+  std::array<Histories<Scalar, Dofs>, kSensings> kinds_;
+  typename Histories<Scalar, Dofs>::Children children_;  // of the kind whose turn it is
+  std::array<double, kSensings> evidence_{};             // log probability, up to a constant [nats]
+  std::size_t kind_ = 0;                                 // whose stories are computed next
   bool busy_ = false;
   Scalar duration_ = Scalar(0), speed_ = Scalar(0);
   TrackerBelief<Scalar> belief_;
-  Vector3<Scalar> last_axis_ = Vector3<Scalar>::Zero();              // axis of the last joint, in end-effector axes
-  InertialVector<Scalar> carried_ = InertialVector<Scalar>::Zero();  // (1 - P(Empty)) phi at the last begin()
+  Vector3<Scalar> last_axis_ = Vector3<Scalar>::Zero();  // axis of the last joint, in end-effector axes
+  JointVector<Scalar, Dofs> carried_ = JointVector<Scalar, Dofs>::Zero();  // compensation in the last block [N m]
+  bool carries_ = false;                                                   // there was a last block
 };
 
 }  // namespace rme

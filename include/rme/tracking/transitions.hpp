@@ -18,6 +18,7 @@ struct Transition {
   bool quick = false;                 ///< of Mode::Pouring: it is taken up quickly
   bool anew = false;                  ///< of Mode::Held: a payload is drawn from the prior
   bool late = false;                  ///< of such a payload: the change has shown that the observer is not as stated
+  bool turned = false;                ///< of such a payload: the wrench that acted has been its weight all along
 };
 
 /// The transitions of a story, with their probabilities per block (docs/theory.md, "Stories" and "Numbers"). While a
@@ -26,7 +27,8 @@ struct Transitions {
   static constexpr double kDisturbs = 1e-3;     ///< something begins to push
   static constexpr double kPours = 6e-4;        ///< something begins to flow into or out of what is held
   static constexpr double kFills = 1.2e-4;      ///< the same of an empty hand
-  static constexpr double kLeaves = 0.3;        ///< the hand is empty at once, relative to SensingKind::change
+  static constexpr double kAtOnce = 0.3;        ///< no block lies between the old payload, or none, and the new: as a
+                                                ///< share of SensingKind::change, to a new payload and to an empty hand
   static constexpr double kPourEnds = 4e-3;     ///< a pour ends
   static constexpr double kQuickEnds = 0.03;    ///< what is taken up slowly is taken up
   static constexpr double kSettles = 0.25;      ///< a change ends in a new payload
@@ -34,14 +36,16 @@ struct Transitions {
   static constexpr double kDisturbEnds = 0.02;  ///< a push ends
   static constexpr double kTouchEnds = 0.01;    ///< a wrench that stays or grows along itself ends
   static constexpr double kJoltEnds = 0.25;     ///< a jolt ends
-  static constexpr double kOther = 0.02;        ///< a wrench changes in another way from now on
+  static constexpr double kOther = 0.02;        ///< a wrench trembles like a hand's from now on
+  static constexpr double kSoftOther = 0.005;   ///< a wrench grows along itself, or stays as it is, from now on
   static constexpr double kTurnsOut = 0.01;     ///< a disturbance turns out to be a change, or the other way round
   static constexpr double kIsLate = 0.01;       ///< a change shows that the observer is not as stated
-  /// Standard deviation of the lag then [s]. An observer of 50 rad/s that is in truth half or twice as fast has a lag of
-  /// 20 or -10 ms.
-  static constexpr double kLate = 0.015;
-  static constexpr int kSlow = 5;  ///< blocks from one slow transition to the next
-  static constexpr int kMost = 8;  ///< most transitions of one story
+  /// Standard deviation of the lag then, in time constants of the stated observer. One that is in truth half or twice as
+  /// fast has a lag of 1 or -0.5.
+  static constexpr double kLate = 0.5;
+  static constexpr int kSlow = 10;  ///< blocks from one pour that begins to the next
+  static constexpr int kSoon = 5;   ///< blocks from one pour that ends, or wrench that turns out a weight, to the next
+  static constexpr int kMost = 8;   ///< most transitions of one story
 
   /// Calls use(transition) for each transition of a story.
   /// @param story      the parent
@@ -53,7 +57,7 @@ struct Transitions {
   static void each(const Story<Scalar, Dofs>& story, const SensingKind& kind, long block, bool explained,
                    const Use& use) noexcept {
     const double change = kind.change;
-    const bool slow = block % kSlow == 0;
+    const bool slow = block % kSlow == 0, soon = block % kSoon == 0;
     const auto to = [&](Mode mode, double probability) {
       Transition t;
       t.mode = mode;
@@ -77,8 +81,8 @@ struct Transitions {
       case Mode::Held: {
         const bool empty = story.mode == Mode::Empty;
         const double pours = (empty ? kFills : kPours) * kind.slowly, takes_up = empty ? kind.takes_up : 0;
-        const double leaves = empty ? 0 : kLeaves * change;
-        goes_on(1 - change - leaves - kDisturbs - kind.jolt - pours - takes_up);
+        const double at_once = kAtOnce * change;
+        goes_on(1 - change - (empty ? 1 : 2) * at_once - kDisturbs - kind.jolt - pours - takes_up);
         if (takes_up > 0) {
           Transition quickly = to(Mode::Pouring, takes_up);
           quickly.quick = true;
@@ -86,7 +90,10 @@ struct Transitions {
         }
         if (!explained) {
           use(to(Mode::Changing, change));
-          if (!empty) use(to(Mode::Empty, leaves));
+          Transition drawn = to(Mode::Held, at_once);
+          drawn.anew = true;
+          use(drawn);
+          if (!empty) use(to(Mode::Empty, at_once));
           disturbed(kDisturbs, Disturbing::Hand);
           disturbed(kind.jolt, Disturbing::Jolt);
         }
@@ -98,8 +105,8 @@ struct Transitions {
         goes_on(1 - ends - change - kDisturbs - kind.jolt);
         if (!explained || story.quick)
           use(to(Mode::Held, ends));
-        else if (slow)
-          use(to(Mode::Held, ends * kSlow));
+        else if (soon)
+          use(to(Mode::Held, ends * kSoon));
         if (explained) break;
         use(to(Mode::Changing, change));
         disturbed(kDisturbs, Disturbing::Hand);
@@ -108,8 +115,7 @@ struct Transitions {
       }
       case Mode::Changing: {
         const bool may_be_late = kind.lag > 0 && story.star.variance(kLag) < Scalar(kLate * kLate);
-        const double empties = story.payload != 0 ? kEmpties : 0;
-        goes_on(1 - kSettles - empties - kTurnsOut);
+        goes_on(1 - kSettles - kEmpties - kTurnsOut);
         disturbed(kTurnsOut, Disturbing::Hand);
         Transition drawn = to(Mode::Held, kSettles * (may_be_late ? 1 - kIsLate : 1));
         drawn.anew = true;
@@ -119,7 +125,7 @@ struct Transitions {
           drawn.late = true;
           use(drawn);
         }
-        if (empties > 0) use(to(Mode::Empty, empties));
+        use(to(Mode::Empty, kEmpties));
         break;
       }
       case Mode::Disturbed: {
@@ -127,12 +133,19 @@ struct Transitions {
         const bool soft = story.how == Disturbing::Growing || story.how == Disturbing::Still;
         const double ends = jolt ? kJoltEnds : soft ? kTouchEnds : kDisturbEnds;
         const double turns_out = (soft ? 0.3 : 1) * kTurnsOut * std::min(1.0, change / 1e-3);
+        const double turned = soft ? turns_out : 0;
         const auto other = [&](Disturbing how) {  // a jolt does not become a push
-          return jolt || how == story.how ? 0 : how == Disturbing::Hand ? kOther : kOther * kind.slowly;
+          return jolt || how == story.how ? 0 : how == Disturbing::Hand ? kOther : kSoftOther * kind.slowly;
         };
-        goes_on(1 - ends - turns_out - other(Disturbing::Hand) - other(Disturbing::Growing) - other(Disturbing::Still));
+        goes_on(1 - ends - turns_out - turned - other(Disturbing::Hand) - other(Disturbing::Growing) -
+                other(Disturbing::Still));
         use(to(story.payload == 0 ? Mode::Empty : Mode::Held, ends));
         use(to(Mode::Changing, turns_out));
+        if (turned > 0 && soon) {
+          Transition weight = to(Mode::Held, turned * kSoon);
+          weight.anew = weight.turned = true;
+          use(weight);
+        }
         for (const Disturbing how : {Disturbing::Hand, Disturbing::Growing, Disturbing::Still})
           if (other(how) > 0) disturbed(other(how), how);
         break;

@@ -61,8 +61,8 @@ class Table {
 
 void add_state(Table& table, const EstimatorState<double>& state) {
   // Every field by its name: with one more, this no longer compiles.
-  const auto& [time, updated, payload, inertial, probability, held, confidence, health, sensing, changing, change_onset,
-               change_noticed, event] = state;
+  const auto& [time, updated, payload, inertial, probability, held, confidence, health, sensing, tool, changing,
+               change_onset, change_noticed, event] = state;
   const auto& [mean, covariance] = payload;
   const auto& [phi, phi_covariance] = inertial;
   const auto& [number, kind, onset, noticed, over] = event;
@@ -78,6 +78,8 @@ void add_state(Table& table, const EstimatorState<double>& state) {
   table.add("state.confidence", confidence);
   table.add("state.health", health);
   table.add("state.sensing", sensing);
+  table.add("state.tool", tool);
+  table.add("state.heavier_than(0.5)", state.heavier_than(0.5));
   table.add("state.changing", changing ? 1 : 0);
   table.add("state.change_onset", change_onset);
   table.add("state.change_noticed", change_noticed);
