@@ -108,9 +108,6 @@ class Estimator {
   // How often a payload is exchanged while nothing is measured [1/s]: as often as the tracker expects it on an arm
   // whose torque shows it at once, SensingKind::change = 1e-3 per block.
   static constexpr double kExchanges = 0.05;
-  // What may act on an arm, per rated payload: 25 standard deviations of the wrench of a hand (disturbance.hpp) [N/kg],
-  // [N m/kg].
-  static constexpr double kForce = 100, kMoment = 12.5;
   static constexpr int kChildren = 16;        // children that a busy block has, over all kinds of sensing
   static constexpr int kManyChildren = 1000;  // more than a block can have
 
@@ -129,20 +126,6 @@ class Estimator {
   }
   Scalar excess() const noexcept {
     return std::max(Scalar(1), state_.health / Scalar(EstimatorState<Scalar>::kHealthy));
-  }
-  /// Whether anything that may act on this arm can make the torque of a sample. One that nothing can make may be as large as
-  /// it likes: a payload or a lag that explained it would be believed in from then on.
-  bool possible(const Proprioception<Scalar, Dofs>& in) const noexcept {
-    for (int j = 0; j < Dofs; ++j) {
-      Scalar lever = Scalar(0), turn = Scalar(0);  // squared norms of the columns of J_v and J_w
-      for (int axis = 0; axis < 3; ++axis) {
-        lever += in.jacobian(axis, j) * in.jacobian(axis, j);
-        turn += in.jacobian(3 + axis, j) * in.jacobian(3 + axis, j);
-      }
-      const Scalar most = Scalar(kForce) * std::sqrt(lever) + Scalar(kMoment) * std::sqrt(turn);
-      if (std::abs(in.tau_ext[j]) > std::max(most, Scalar(kMoment)) * config_.rated_payload) return false;
-    }
-    return true;
   }
   void process() noexcept;
   void publish() noexcept;
@@ -195,10 +178,6 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   Proprioception<Scalar, Dofs> sample = in;
   sample.tau_ext *= Scalar(static_cast<int>(config_.torque_sign));
   state_.time += dt;
-  if (!possible(in)) {
-    process();
-    return Status::NotAMeasurement;
-  }
   if (!stale_.update(in.tau_ext, in.dq, dt)) {
     averager_.clear();
     process();

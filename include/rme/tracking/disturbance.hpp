@@ -26,7 +26,7 @@ enum class Disturbing : std::uint8_t {
 /// A Gaussian over the wrench of a disturbance, w: force [N] and moment [N m] about the end-effector origin, world axes.
 /// The torque of a block is then the payload's and the arm's, plus J^T w, plus, for a jolt, an independent torque on
 /// each joint (docs/theory.md (T43)). The payload is not learned from such a block. The arm's nuisances are, given the
-/// wrench. Real time: nothing allocates.
+/// wrench. How large a jolt is, is not known: single samples may be a hundred times as large as any wrench. Real time: nothing allocates.
 template <typename Scalar, int Dofs>
 class Disturbance {
  public:
@@ -52,18 +52,21 @@ class Disturbance {
     const Scalar growth = Scalar(kGrowth * kGrowth) * rated_payload * rated_payload * blocks / square;
     detail::add_outer(covariance_, detail::scaled(growth, mean_), mean_);
   }
-  /// Takes in the block of the model's last begin(): learns the wrench, and the arm's nuisances in `star`.
-  /// @param model  of the arm
-  /// @param star   state before the block; its x is kept
-  /// @param jolt   standard deviation of an independent torque on each joint, times its scale [N m]; 0 for none
-  /// @param squared  on return e^T S^-1 e without the disturbance, joints taken one by one
+  /// Takes in the block of the model's last begin(): learns the wrench, and the arm's nuisances in `star`. Of a jolt nothing
+  /// is learned.
+  /// @param model     of the arm
+  /// @param star      state before the block; its x is kept
+  /// @param how       what acts; if it is not a jolt, a jolt may hide it in this block
+  /// @param jolt      log probability of such a jolt; -infinity for none
+  /// @param rated     rated payload [kg]
+  /// @param squared   on return e^T S^-1 e without the disturbance, joints taken one by one
   /// @return log p(block) [nats], without the constant factor of 2 pi
-  Scalar observe(const Model& model, Star& star, Scalar jolt, Scalar& squared) noexcept {
+  Scalar observe(const Model& model, Star& star, Disturbing how, Scalar jolt, Scalar rated, Scalar& squared) noexcept {
+    constexpr auto kNone = -std::numeric_limits<Scalar>::infinity();
     squared = Scalar(0);
     const Jacobian<Scalar, Dofs>& J = model.block().jacobian;
     JointVector<Scalar, Dofs> e;
     Eigen::Matrix<Scalar, Dofs, kShared> spread;
-    Eigen::Matrix<Scalar, Dofs, Dofs> total;
     std::array<typename Star::Prediction, static_cast<std::size_t>(Dofs)> predictions;
     // A wrench that is a weight has the noise of its inertia: otherwise noise of dq alone would decide between both.
     const Scalar mass = std::max(Scalar(0), star.mass() + weighs(model));
@@ -71,30 +74,32 @@ class Disturbance {
       auto& p = predictions[static_cast<std::size_t>(j)];
       p = star.predict(j, model.observation(j, mass));
       squared += p.innovation * p.innovation / p.variance;
-      const Scalar own = jolt * model.arm().residual[j];
-      p.given_shared += own * own;
       e[j] = p.innovation;
       // An error of the payload is the same in all blocks, and the wrench takes it in the first. Counted in each, it would
       // favour stories that know little of the payload.
       const typename Star::X arm = star.arm_spread(p);
       for (int i = 0; i < kShared; ++i) spread(j, i) = arm[i];
     }
-    const Eigen::Matrix<Scalar, Dofs, 6> cross = detail::transposed_product(J, covariance_);
-    total = detail::product(cross, J);
-    total += detail::outer_square(spread);
-    Scalar largest = Scalar(0);
-    for (int j = 0; j < Dofs; ++j) {
-      total(j, j) += predictions[static_cast<std::size_t>(j)].given_shared;
-      largest = std::max(largest, total(j, j));
+    Eigen::Matrix<Scalar, Dofs, Dofs> known = detail::outer_square(spread);
+    for (int j = 0; j < Dofs; ++j) known(j, j) += predictions[static_cast<std::size_t>(j)].given_shared;
+    if (how == Disturbing::Jolt) return jolt_density(model, known, e, rated);
+    const Scalar log_jolt = jolt > kNone ? jolt + jolt_density(model, known, e, rated) : kNone;
+    Fit fit(J, known, e, mean_, covariance_);
+    Scalar log_likelihood = log_sum(fit.log_density, log_jolt);
+    if (how == Disturbing::Hand) {
+      const Fit anew(J, known, e, Vector6<Scalar>::Zero(), any(rated));
+      const Scalar log_anew = static_cast<Scalar>(std::log(kAnew)) + anew.log_density;
+      log_likelihood = log_sum(log_likelihood, log_anew);
+      if (log_anew > fit.log_density) {
+        fit = anew;
+        fit.log_density = log_anew;
+        mean_.setZero();
+        covariance_ = any(rated);
+      }
     }
-    // Combinations of torques that no wrench makes have standard deviations a hundred times smaller than the others. In
-    // float, their variances are hardly above the rounding errors of the pivots.
-    for (int j = 0; j < Dofs; ++j) total(j, j) += 16 * Eigen::NumTraits<Scalar>::epsilon() * largest;
-    const Cholesky<Scalar, Dofs> factor(total);
-    if (!factor.positive_definite()) return -std::numeric_limits<Scalar>::infinity();
-    const JointVector<Scalar, Dofs> white =
-        factor.solve_lower(detail::difference(e, JointVector<Scalar, Dofs>(detail::transposed_product(J, mean_))));
-    const Eigen::Matrix<Scalar, Dofs, 6> gain = factor.solve_lower(cross);
+    if (log_jolt > fit.log_density) return log_likelihood;
+    const Eigen::Matrix<Scalar, Dofs, 6>& cross = fit.cross;
+    const Eigen::Matrix<Scalar, Dofs, 6> gain = fit.factor.solve_lower(cross);
     // The arm is learned given the wrench as it was known before this block: what the block shows of the wrench is not
     // known independently of the arm.
     for (int j = 0; j < Dofs; ++j) {
@@ -108,9 +113,9 @@ class Disturbance {
       p.given_shared += Scalar(kCommon) * std::max(variance, Scalar(0));
       star.observe_nuisances(j, p);
     }
-    detail::add_scaled(mean_, Scalar(1), detail::transposed_product(gain, white));
+    detail::add_scaled(mean_, Scalar(1), detail::transposed_product(gain, fit.white));
     detail::add_scaled(covariance_, Scalar(-1), detail::transposed_product(gain, gain));
-    return Scalar(-0.5) * detail::dot(white, white) - factor.log_det_lower();
+    return log_likelihood;
   }
 
   /// How much better a payload explains the wrench than any wrench does: the log of the ratio of the two likelihoods of
@@ -188,6 +193,67 @@ class Disturbance {
   static constexpr double kTrembleTime = 0.02;  // [s]
   static constexpr double kOwn = 2e-4;          // tremble of a growing wrench in all directions
   static constexpr double kGrowth = 0.0265;     // its growth along itself in kTrembleTime, per rated payload [N/kg]
+  static constexpr double kAnew = 1e-3;         // probability per block that a hand pushes anew, in any way
+  static constexpr double kJolt = 3;            // torque of a jolt, times the joint's scale [N m]
+  static constexpr std::array<double, 3> kSizes = {1, 10, 100};  // how many times as large it may be
+
+  /// Cholesky's factor of a covariance of all joints' torques. Combinations of torques that no wrench makes have standard
+  /// deviations a hundred times smaller than the others. In float, their variances are hardly above the rounding errors of
+  /// the pivots.
+  static Cholesky<Scalar, Dofs> factorise(Eigen::Matrix<Scalar, Dofs, Dofs> S) noexcept {
+    Scalar largest = Scalar(0);
+    for (int j = 0; j < Dofs; ++j) largest = std::max(largest, S(j, j));
+    for (int j = 0; j < Dofs; ++j) S(j, j) += 16 * Eigen::NumTraits<Scalar>::epsilon() * largest;
+    return Cholesky<Scalar, Dofs>(S);
+  }
+  /// How well a wrench explains a block.
+  struct Fit {
+    /// @param known       covariance of e without the wrench
+    /// @param mean        of the wrench; its covariance comes next
+    Fit(const Jacobian<Scalar, Dofs>& J, Eigen::Matrix<Scalar, Dofs, Dofs> known, const JointVector<Scalar, Dofs>& e,
+        const Vector6<Scalar>& mean, const Eigen::Matrix<Scalar, 6, 6>& covariance) noexcept
+        : cross(detail::transposed_product(J, covariance)),
+          factor(factorise(known += detail::product(cross, J))),
+          white(factor.solve_lower(
+              detail::difference(e, JointVector<Scalar, Dofs>(detail::transposed_product(J, mean))))),
+          log_density(factor.positive_definite() ? Scalar(-0.5) * detail::dot(white, white) - factor.log_det_lower()
+                                                 : -std::numeric_limits<Scalar>::infinity()) {}
+    Eigen::Matrix<Scalar, Dofs, 6> cross;  ///< J^T cov(w)
+    Cholesky<Scalar, Dofs> factor;         ///< of the covariance of e
+    JointVector<Scalar, Dofs> white;       ///< e less that of the wrench, whitened
+    Scalar log_density;                    ///< of the block [nats], without the constant factor of 2 pi
+  };
+  /// Log density of a block that a jolt of unknown size shakes: any wrench, and a torque on each joint.
+  /// @param known  covariance of e without it
+  static Scalar jolt_density(const Model& model, const Eigen::Matrix<Scalar, Dofs, Dofs>& known,
+                             const JointVector<Scalar, Dofs>& e, Scalar rated) noexcept {
+    const Jacobian<Scalar, Dofs>& J = model.block().jacobian;
+    const Eigen::Matrix<Scalar, 6, 6> W = any(rated);
+    Eigen::Matrix<Scalar, Dofs, Dofs> S =
+        detail::product(Eigen::Matrix<Scalar, Dofs, 6>(detail::transposed_product(J, W)), J);
+    S += known;
+    for (int j = 0; j < Dofs; ++j) {
+      const Scalar own = Scalar(kJolt) * model.arm().residual[j];
+      S(j, j) += own * own;
+    }
+    const Cholesky<Scalar, Dofs> factor = factorise(S);
+    if (!factor.positive_definite()) return -std::numeric_limits<Scalar>::infinity();
+    const JointVector<Scalar, Dofs> white = factor.solve_lower(e);
+    const Scalar square = detail::dot(white, white);
+    // Each size is as likely as the others.
+    Scalar sum = -std::numeric_limits<Scalar>::infinity();
+    for (const double size : kSizes) {
+      const auto s = static_cast<Scalar>(size);
+      sum = log_sum(sum, Scalar(-0.5) * square / (s * s) - Scalar(Dofs) * std::log(s));
+    }
+    return sum - std::log(Scalar(kSizes.size())) - factor.log_det_lower();
+  }
+  /// log(exp(a) + exp(b)).
+  static Scalar log_sum(Scalar a, Scalar b) noexcept {
+    const Scalar high = std::max(a, b);
+    if (!(high > -std::numeric_limits<Scalar>::infinity())) return high;
+    return high + std::log(std::exp(a - high) + std::exp(b - high));
+  }
   /// d w / d (m, m r) of a weight in the block's last pose, 6x4.
   static Eigen::Matrix<Scalar, 6, 4> weight_regressor(const Model& model) noexcept {
     const Eigen::Matrix<Scalar, 6, kInertial> all =

@@ -2,6 +2,7 @@
 /// How a story takes in a block of samples.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/disturbance.hpp>
@@ -20,7 +21,6 @@ namespace rme {
 template <typename Scalar, int Dofs>
 class StoryFilter {
  public:
-  static constexpr double kJolt = 3;             ///< torque of a jolt, times the joint's scale [N m]
   using Star = StarGaussian<Scalar, Dofs>;       ///< state of a filter
   using Model = JointTorqueModel<Scalar, Dofs>;  ///< model of the arm
   using Tale = Story<Scalar, Dofs>;              ///< a story
@@ -59,12 +59,11 @@ class StoryFilter {
     model_.predict(child.star);
     if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) child.star.end_pour();
     if (child.mode == Mode::Disturbed) {
-      const bool jolt = child.how == Disturbing::Jolt;
-      if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt || jolt)
+      if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt)
         child.disturbance.begin(rated_);
       else
         child.disturbance.predict(child.how, duration, rated_);
-      return child.disturbance.observe(model_, child.star, jolt ? Scalar(kJolt) : Scalar(0), out.squared);
+      return child.disturbance.observe(model_, child.star, child.how, log_jolt(), rated_, out.squared);
     }
     if (transition.turned) return turn(child, parent, children, out);
     if (child.mode == Mode::Changing) {
@@ -78,7 +77,7 @@ class StoryFilter {
       Star star = child.star;
       Disturbance<Scalar, Dofs> anything;
       anything.begin(rated_);
-      return anything.observe(model_, star, Scalar(0), out.squared);
+      return anything.observe(model_, star, Disturbing::Hand, kNone, rated_, out.squared);
     }
     if (child.mode == Mode::Empty) {
       if (parent.payload != 0) model_.unload(child.star, parent.star.payload_mean());
@@ -122,7 +121,8 @@ class StoryFilter {
     wrench.star = child.star;
     wrench.disturbance = parent.disturbance;
     wrench.disturbance.predict(parent.how, model_.block().duration, rated_);
-    Scalar log_likelihood = wrench.disturbance.observe(model_, wrench.star, Scalar(0), out.squared);
+    Scalar log_likelihood =
+        wrench.disturbance.observe(model_, wrench.star, parent.how, log_jolt(), rated_, out.squared);
     log_likelihood += wrench.disturbance.weigh(model_, child.star, payload_, rated_);
     child.payload = child.take_next();
     draw(child, children.first(), out);
@@ -131,6 +131,10 @@ class StoryFilter {
     return log_likelihood + child.log_plausible;
   }
 
+  /// Log probability that a jolt hides a disturbance in a block.
+  Scalar log_jolt() const noexcept { return static_cast<Scalar>(std::log(model_.kind().jolt)); }
+
+  static constexpr Scalar kNone = -std::numeric_limits<Scalar>::infinity();
   static constexpr double kLightest = 0.007, kHeaviest = 1.2;  // times the rated payload: 20 g and 3.6 kg on a Panda
 
   /// Draws a new payload. The prior of m r needs the mass, and the block itself shows the mass best. So the prior is for
