@@ -65,9 +65,11 @@ class ShrunkRate {
     Posterior out;
     if (prior > 0) out.share = prior / (prior + variance);
     // k need not be the best factor, so not k variance, but the mean square of (1 - k) a - k noise. In the first term
-    // any rate counts, also one whose sign changes from block to block.
+    // any rate counts, also one whose sign changes from block to block; but a^2 is not above x^2 + variance on average,
+    // however large rates were before.
     const Scalar missing = Scalar(1) - out.share;
-    out.variance = out.share * out.share * variance + missing * missing * std::max(Scalar(0), square_ - variance);
+    const Scalar rates = std::min(std::max(Scalar(0), square_ - variance), square + variance);
+    out.variance = out.share * out.share * variance + missing * missing * rates;
     return out;
   }
   /// The next rate has no predecessor: a time without samples lies in between. What was learned is kept.

@@ -93,11 +93,12 @@ struct Transitions {
           Transition drawn = to(Mode::Held, at_once);
           drawn.anew = true;
           use(drawn);
-          if (!empty) use(to(Mode::Empty, at_once));
           disturbed(kDisturbs, Disturbing::Hand);
           disturbed(kind.jolt, Disturbing::Jolt);
         }
         if (slow) use(to(Mode::Pouring, pours * kSlow));
+        // A payload that nothing shows any more is none: the hand is empty, however quietly it became so.
+        if (!empty && (slow || !explained)) use(to(Mode::Empty, explained ? at_once * kSlow : at_once));
         break;
       }
       case Mode::Pouring: {
