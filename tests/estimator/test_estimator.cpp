@@ -746,7 +746,8 @@ TEST_CASE("Estimator: with the torque's sign said wrongly nothing is carried, an
 
 TEST_CASE("Estimator: an observer that is not told of the compensation does no harm", "[estimator]") {
   // Then tau_ext lacks what is carried: m = truth - m has one solution, half the truth. At rest nothing tells it from
-  // an object of that mass; but each change comes back as another, and health says so while it does.
+  // an object of that mass; but each change comes back as another, the mass may swing about the solution for as long as
+  // the object is held, and health says so while it does.
   for (const unsigned seed : {1u, 2u, 3u}) {
     CAPTURE(seed);
     Bench bench(seed);
@@ -761,9 +762,15 @@ TEST_CASE("Estimator: an observer that is not told of the compensation does no h
     bench.run(1, without);
     CHECK(health < 3);
     bench.arm.hold(kObject);
-    bench.run(5, without);
+    bench.run(4, without);
     CHECK(health > 2);
-    CHECK(bench.mass() == Approx(0.5 * kObject.mass).margin(0.02));
+    double mean = 0;
+    int ticks = 0;
+    bench.run(1, [&] {
+      without();
+      mean += (bench.mass() - mean) / ++ticks;
+    });
+    CHECK(mean == Approx(0.5 * kObject.mass).margin(0.02));
     bench.arm.hold({});
     bench.run(2, without);
     CHECK(bench.state().empty());
