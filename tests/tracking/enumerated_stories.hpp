@@ -134,7 +134,8 @@ class EnumeratedStories {
     auto wrench = parent.disturbance;
     double squared;
     wrench.predict(parent.how, model.block().duration, rated_);
-    const double out = wrench.observe(model, star, 0, squared) + wrench.weigh(model, child.star, prior_, rated_);
+    const double out = wrench.observe(model, star, parent.how, std::log(model.kind().jolt), rated_, squared) +
+                       wrench.weigh(model, child.star, prior_, rated_);
     child.payload = child.next++;
     draw(model, child.star);
     child.log_plausible = plausible(child.star);
@@ -144,19 +145,18 @@ class EnumeratedStories {
     const double duration = model.block().duration;
     double squared;  // of no use here
     if (child.mode == Mode::Disturbed) {
-      const bool jolt = child.how == Disturbing::Jolt;
-      if (parent.mode == Mode::Disturbed && parent.how != Disturbing::Jolt && !jolt)
+      if (parent.mode == Mode::Disturbed && parent.how != Disturbing::Jolt)
         child.disturbance.predict(child.how, duration, rated_);
       else
         child.disturbance.begin(rated_);
-      return child.disturbance.observe(model, child.star, jolt ? StoryFilter<double, Dofs>::kJolt : 0, squared);
+      return child.disturbance.observe(model, child.star, child.how, std::log(model.kind().jolt), rated_, squared);
     }
     if (child.mode == Mode::Changing) {
       auto star = child.star;
       if (model.kind().draws) return draw(model, star) + plausible(star);
       Disturbance<double, Dofs> anything;
       anything.begin(rated_);
-      return anything.observe(model, star, 0, squared);
+      return anything.observe(model, star, Disturbing::Hand, -std::numeric_limits<double>::infinity(), rated_, squared);
     }
     if (child.mode == Mode::Empty) {
       if (parent.payload != 0) model.unload(child.star, parent.star.payload_mean());

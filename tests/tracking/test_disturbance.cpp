@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <rme/tracking/disturbance.hpp>
 
@@ -15,6 +17,7 @@ using rme::kJointNuisances;
 using rme::kShared;
 constexpr int kDofs = 3;
 constexpr double kRated = 3;
+constexpr double kNone = -std::numeric_limits<double>::infinity();  // log probability
 using Star = rme::StarGaussian<double, kDofs>;
 using Model = rme::JointTorqueModel<double, kDofs>;
 using Disturbance = rme::Disturbance<double, kDofs>;
@@ -22,14 +25,15 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// A model in a random block.
 /// @param shaken  posterior variance of the flange's acceleration [(m/s^2)^2]
-Model random_model(std::mt19937& random, double shaken = 0) {
+/// @param loud    size of the torque, in twice a newton metre
+Model random_model(std::mt19937& random, double shaken = 0, double loud = 1) {
   Model model(rme::kind_of(rme::Sensing::JointFriction), rme::ArmPrior<double, kDofs>::of(kRated), kRated, 0.02,
               {0, 0, -9.81});
   rme::TorqueBlock<double, kDofs> block;
   block.duration = 0.02;
   block.samples = 20;
   block.acceleration_variance = shaken;
-  block.tau = 2 * oracle::random_matrix(random, kDofs, 1);
+  block.tau = 2 * loud * oracle::random_matrix(random, kDofs, 1);
   block.torque_rate = oracle::random_matrix(random, kDofs, 1);
   block.regressor = oracle::random_matrix(random, kDofs, kInertial);
   block.jacobian = oracle::random_matrix(random, 6, kDofs);
@@ -63,64 +67,88 @@ Matrix6 any_wrench() {
   return deviation.cwiseAbs2().asDiagonal();
 }
 
-TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of a dense Gaussian, and the payload is kept",
+/// log(exp(a) + exp(b)).
+double log_sum(double a, double b) {
+  return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));
+}
+
+TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of dense Gaussians, and the payload is kept",
           "[disturbance]") {
   const unsigned seed = 560;
   CAPTURE(seed);
   std::mt19937 random(seed);
-  for (int trial = 0; trial < 10; ++trial) {
-    const double jolt = trial % 2 == 0 ? 0 : 3;
-    CAPTURE(trial, jolt);
+  const double log_jolt = std::log(0.001), log_anew = std::log(0.001);  // per block
+  int went_on = 0, began_anew = 0, hidden = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const Disturbing how = trial % 2 == 0 ? Disturbing::Hand : Disturbing::Still;
+    const double loud = trial % 4 < 2 ? 1 : 30;
+    CAPTURE(trial, loud);
     Star star = random_star(random);
     Disturbance disturbance;
     disturbance.begin(kRated);
     for (int k = 0; k < 3; ++k) {  // from the second block on, something is known of the wrench
       CAPTURE(k);
-      if (k > 0) disturbance.predict(Disturbing::Hand, 0.02, kRated);
-      const Model model = random_model(random);
+      if (k > 0) disturbance.predict(how, 0.02, kRated);
+      const Model model = random_model(random, 0, k == 2 ? loud : 1);
       // tau = h^T x + c^T beta + J^T w + noise. Jointly with x the wrench is not: x keeps its distribution.
       // What is not known of the payload does not count.
       Matrix P = star.covariance();
-      const Matrix W = disturbance.covariance();
       P.rightCols(kShared - rme::kPayload).setZero();
       P.bottomRows(kShared - rme::kPayload).setZero();
       const Matrix JT = oracle::transposed(model.block().jacobian);
-      Matrix U(kDofs, kShared), own = Matrix::Zero(kDofs, kDofs);
+      Matrix U(kDofs, kShared), own = Matrix::Zero(kDofs, kDofs), shaken = Matrix::Zero(kDofs, kDofs);
       Vector e(kDofs);
       for (int j = 0; j < kDofs; ++j) {
-        const auto o = model.observation(j, star.mass());
+        const auto o = model.observation(j, std::max(0.0, star.mass() - disturbance.mean()[2] / 9.81));
         const auto& joint = star.joint(j);
         U.row(j) = (o.h + joint.slope * o.c).transpose();
-        const double shaken = jolt * model.arm().residual[j];
-        own(j, j) = o.c.dot(joint.covariance * o.c) + o.noise + shaken * shaken;
+        own(j, j) = o.c.dot(joint.covariance * o.c) + o.noise;
+        shaken(j, j) = std::pow(3 * model.arm().residual[j], 2);
         e[j] = o.torque - o.c.dot(joint.mean) - U.row(j).dot(star.mean());
       }
-      const Matrix S = oracle::congruence(U, P) + oracle::congruence(JT, W) + own;
-      const Vector surprise = e - oracle::product(JT, disturbance.mean());
-      const Matrix gain = oracle::transposed(oracle::solve(S, oracle::product(JT, W)));
-      const Vector mean = disturbance.mean() + oracle::product(gain, surprise);
-      const Matrix covariance = W - oracle::product(gain, oracle::product(JT, W));
+      const Matrix known = oracle::congruence(U, P) + own;
+      const auto with = [&](const Matrix& W) { return Matrix(known + oracle::congruence(JT, W)); };
+      const auto surprise = [&](const Vector& w) { return Vector(e - oracle::product(JT, w)); };
+      // The wrench goes on; or a hand pushes anew; or a jolt of one of three sizes hides it.
+      Vector w = disturbance.mean();
+      Matrix W = disturbance.covariance();
+      const double goes_on = oracle::log_normal(surprise(w), with(W));
+      const double anew = how == Disturbing::Hand ? log_anew + oracle::log_normal(e, with(any_wrench())) : -1e30;
+      double jolt = -1e30;
+      for (const double size : {1.0, 10.0, 100.0})
+        jolt = log_sum(jolt,
+                       oracle::log_normal(e, size * size * (with(any_wrench()) + shaken)) + log_jolt - std::log(3.0));
+      const bool learns = jolt <= std::max(goes_on, anew);
+      if (anew > goes_on) {
+        w.setZero();
+        W = any_wrench();
+      }
+      (!learns ? hidden : anew > goes_on ? began_anew : went_on) += 1;
+      const Matrix gain = oracle::transposed(oracle::solve(with(W), oracle::product(JT, W)));
+      const Vector mean = learns ? Vector(w + oracle::product(gain, surprise(w))) : w;
+      const Matrix covariance = learns ? Matrix(W - oracle::product(gain, oracle::product(JT, W))) : W;
       const Star before = star;
-      const Vector known_before = disturbance.mean();
       double squared = 0, expected_square = 0;
-      const double log_likelihood = disturbance.observe(model, star, jolt, squared);
-      CHECK(log_likelihood == Approx(oracle::log_normal(surprise, S)).epsilon(1e-9));
-      CHECK((disturbance.mean() - mean).norm() < 1e-9 * mean.norm());
+      const double log_likelihood = disturbance.observe(model, star, how, log_jolt, kRated, squared);
+      CHECK(log_likelihood == Approx(log_sum(log_sum(goes_on, anew), jolt)).epsilon(1e-9));
+      CHECK((disturbance.mean() - mean).norm() <= 1e-9 * mean.norm());
       CHECK((disturbance.covariance() - covariance).norm() < 1e-9 * W.norm());
       // Given x, and the wrench as it was known, each joint's nuisances learn from what is left. The wrench's error is
       // the same in 200 blocks.
       for (int j = 0; j < kDofs; ++j) {
         CAPTURE(j);
-        const auto o = model.observation(j, before.mass());
-        auto expected = before.joint(j);
-        const auto p = before.predict(j, o);
-        expected_square += p.innovation * p.innovation / p.variance;
-        const double known = 200 * JT.row(j).dot(W * JT.row(j).transpose());
-        const Vector K = expected.covariance * o.c / (own(j, j) + known);
-        const double left = o.torque - JT.row(j).dot(known_before) - o.c.dot(expected.mean);
-        expected.slope -= U.row(j).transpose() * K.transpose();
-        expected.mean += K * left;
-        expected.covariance -= K * o.c.transpose() * before.joint(j).covariance;
+        const auto o = model.observation(j, 0);
+        const auto& joint = before.joint(j);
+        expected_square += std::pow(e[j], 2) / (own(j, j) + U.row(j).dot(before.covariance() * U.row(j).transpose()));
+        auto expected = joint;
+        if (learns) {
+          const double noise = 200 * JT.row(j).dot(W * JT.row(j).transpose());
+          const Vector K = joint.covariance * o.c / (own(j, j) + noise);
+          const double left = o.torque - JT.row(j).dot(w) - o.c.dot(joint.mean);
+          expected.slope -= U.row(j).transpose() * K.transpose();
+          expected.mean += K * left;
+          expected.covariance -= K * o.c.transpose() * joint.covariance;
+        }
         CHECK((star.joint(j).mean - expected.mean).norm() < 1e-9 * expected.mean.norm());
         CHECK((star.joint(j).slope - expected.slope).topRows<rme::kHeldShared>().norm() < 1e-9 * expected.slope.norm());
         CHECK((star.joint(j).covariance - expected.covariance).norm() < 1e-9 * expected.covariance.norm());
@@ -130,6 +158,24 @@ TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of a dense Ga
       CHECK(star.covariance() == before.covariance());
     }
   }
+  CHECK(went_on > 0);
+  CHECK(began_anew > 0);
+  CHECK(hidden > 0);
+}
+
+TEST_CASE("Disturbance: nothing is learned of a jolt", "[disturbance]") {
+  const unsigned seed = 565;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const Model model = random_model(random, 0, 100);
+  Star star = random_star(random);
+  const Star before = star;
+  Disturbance disturbance;
+  disturbance.begin(kRated);
+  double squared;
+  CHECK(std::isfinite(disturbance.observe(model, star, Disturbing::Jolt, 0, kRated, squared)));
+  CHECK(disturbance.mean().isZero(0));
+  for (int j = 0; j < kDofs; ++j) CHECK(star.joint(j).mean == before.joint(j).mean);
 }
 
 TEST_CASE("Disturbance: a hand trembles, a growing wrench grows along itself, a still one stays", "[disturbance]") {
@@ -142,7 +188,7 @@ TEST_CASE("Disturbance: a hand trembles, a growing wrench grows along itself, a 
     disturbance.begin(kRated);
     Star star = random_star(same);
     double squared;
-    disturbance.observe(random_model(same), star, 0, squared);
+    disturbance.observe(random_model(same), star, how, kNone, kRated, squared);
     const Disturbance before = disturbance;
     disturbance.predict(how, duration, kRated);
     CHECK(disturbance.mean() == before.mean());
@@ -187,13 +233,13 @@ TEST_CASE("Disturbance: a wrench that acts like a weight has the noise of that w
       model.begin(block, regime);
       Star empty;
       double squared;
-      disturbance.observe(model, empty, 0, squared);
+      disturbance.observe(model, empty, Disturbing::Still, kNone, kRated, squared);
     }
     REQUIRE(disturbance.mean()[2] == Approx(-2 * 9.81).epsilon(1e-2));
     const Model model = random_model(random, shaken);
     Star star, copy;
     double squared = 0, expected = 0;
-    disturbance.observe(model, star, 0, squared);
+    disturbance.observe(model, star, Disturbing::Still, kNone, kRated, squared);
     for (int j = 0; j < kDofs; ++j) {
       const auto p = copy.predict(j, model.observation(j, -disturbance.mean()[2] / 9.81));
       expected += p.innovation * p.innovation / p.variance;
@@ -224,7 +270,7 @@ TEST_CASE("Disturbance: a wrench turns out a payload by the ratio of two dense G
       model = random_model(random);
       Star copy = star;
       double squared;
-      disturbance.observe(model, copy, 0, squared);
+      disturbance.observe(model, copy, Disturbing::Still, kNone, kRated, squared);
     }
     // All blocks together are one measurement z of the wrench, with an error that is added up from theirs and the arm's.
     const Matrix C = disturbance.covariance(), W = any_wrench(), one = Matrix::Identity(6, 6);
@@ -267,7 +313,7 @@ TEST_CASE("Disturbance: a torque that is no number has no likelihood, and one th
     Disturbance disturbance;
     disturbance.begin(kRated);
     double squared;
-    const double log_likelihood = disturbance.observe(model, star, 0, squared);
+    const double log_likelihood = disturbance.observe(model, star, Disturbing::Still, kNone, kRated, squared);
     CHECK(std::isfinite(log_likelihood) == std::isfinite(offset));
     if (std::isfinite(offset)) CHECK(star.finite());
   }

@@ -126,6 +126,16 @@ TEST_CASE("ShrunkRate: noise that is larger than it is said to be shows in its c
   CHECK(left < 5e-3);
 }
 
+TEST_CASE("ShrunkRate: one huge rate leaves no doubt about the small ones after it", "[rate]") {
+  Known rate;
+  for (int k = 0; k < 100; ++k) rate.update(k % 2 == 0 ? 0.01 : -0.01, 1e-4);
+  rate.update(50, 1e-4);
+  for (int k = 0; k < 20; ++k) {
+    CAPTURE(k);
+    CHECK(rate.update(k % 2 == 0 ? 0.01 : -0.01, 1e-4).variance <= 1e-4 + 1e-4 + 1e-12);
+  }
+}
+
 TEST_CASE("ShrunkRate: a rate whose sign changes from block to block counts as variance, not as a prior", "[rate]") {
   Known rate;
   Known::Posterior p;

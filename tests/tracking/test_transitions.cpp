@@ -75,7 +75,8 @@ TEST_CASE("Transitions: while a story explains the block, nothing begins but wha
     if (story.mode != Mode::Empty && story.mode != Mode::Held) return;
     for (long block = 0; block < 2 * Transitions::kSlow; ++block)
       Transitions::each(story, kind, block, true, [&](const Transition& t) {
-        CHECK((t.goes_on || t.mode == Mode::Pouring));
+        CHECK((t.goes_on || t.mode == Mode::Pouring || t.mode == Mode::Empty));
+        if (t.mode == Mode::Empty && !t.goes_on) CHECK(block % Transitions::kSlow == 0);
         if (t.mode == Mode::Pouring && !t.quick) CHECK(block % Transitions::kSlow == 0);
       });
   });
