@@ -119,7 +119,7 @@ class Disturbance {
   }
 
   /// How much better a payload explains the wrench than any wrench does: the log of the ratio of the two likelihoods of
-  /// all blocks since it began, the last one included (docs/theory.md (T49)). The payload takes the place of star's.
+  /// all blocks since it began, the last one included (docs/theory.md (T50)). The payload takes the place of star's.
   /// @param model    of the arm
   /// @param star     state; its errors, and those of its payload, are errors of the wrench as well
   /// @param payload  what may be held
@@ -195,7 +195,8 @@ class Disturbance {
   static constexpr double kGrowth = 0.0265;     // its growth along itself in kTrembleTime, per rated payload [N/kg]
   static constexpr double kAnew = 1e-3;         // probability per block that a hand pushes anew, in any way
   static constexpr double kJolt = 3;            // torque of a jolt, times the joint's scale [N m]
-  static constexpr std::array<double, 3> kSizes = {1, 10, 100};  // how many times as large it may be
+  static constexpr double kLarger = 10;         // the next size of a jolt, relative to the last one
+  static constexpr int kSizes = 3;              // of jolts, each as likely as the others
 
   /// Cholesky's factor of a covariance of all joints' torques. Combinations of torques that no wrench makes have standard
   /// deviations a hundred times smaller than the others. In float, their variances are hardly above the rounding errors of
@@ -223,7 +224,7 @@ class Disturbance {
     JointVector<Scalar, Dofs> white;       ///< e less that of the wrench, whitened
     Scalar log_density;                    ///< of the block [nats], without the constant factor of 2 pi
   };
-  /// Log density of a block that a jolt of unknown size shakes: any wrench, and a torque on each joint.
+  /// Log density of a block that a jolt of unknown size shakes (docs/theory.md (T49)): any wrench, and a torque on each joint.
   /// @param known  covariance of e without it
   static Scalar jolt_density(const Model& model, const Eigen::Matrix<Scalar, Dofs, Dofs>& known,
                              const JointVector<Scalar, Dofs>& e, Scalar rated) noexcept {
@@ -239,14 +240,10 @@ class Disturbance {
     const Cholesky<Scalar, Dofs> factor = factorise(S);
     if (!factor.positive_definite()) return -std::numeric_limits<Scalar>::infinity();
     const JointVector<Scalar, Dofs> white = factor.solve_lower(e);
-    const Scalar square = detail::dot(white, white);
-    // Each size is as likely as the others.
-    Scalar sum = -std::numeric_limits<Scalar>::infinity();
-    for (const double size : kSizes) {
-      const auto s = static_cast<Scalar>(size);
-      sum = log_sum(sum, Scalar(-0.5) * square / (s * s) - Scalar(Dofs) * std::log(s));
-    }
-    return sum - std::log(Scalar(kSizes.size())) - factor.log_det_lower();
+    Scalar sum = -std::numeric_limits<Scalar>::infinity(), size = Scalar(1);
+    for (int i = 0; i < kSizes; ++i, size *= Scalar(kLarger))
+      sum = log_sum(sum, Scalar(-0.5) * detail::dot(white, white) / (size * size) - Scalar(Dofs) * std::log(size));
+    return sum - std::log(Scalar(kSizes)) - factor.log_det_lower();
   }
   /// log(exp(a) + exp(b)).
   static Scalar log_sum(Scalar a, Scalar b) noexcept {
