@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <rme/sensing/momentum_observer.hpp>
 #include <synthetic_arm/synthetic_arm.hpp>
 
 namespace rme::testing {
@@ -43,7 +44,7 @@ struct FrankaArm {
     Eigen::Map<Eigen::Matrix3d>(state.I_load.data()) = load.inertia;
     Eigen::Map<Vector7>(state.q.data()) = arm.q();
     Eigen::Map<Vector7>(state.dq.data()) = arm.dq();
-    const Vector7 reported = -arm.tau_ext() - torque_that_holds(load, arm.kinematics());
+    const Vector7 reported = -observer.tau_ext();
     Eigen::Map<Vector7>(state.tau_ext_hat_filtered.data()) =
         ticks == spoilt_tick ? Vector7(Vector7::Constant(std::numeric_limits<double>::quiet_NaN())) : reported;
     return state;
@@ -53,7 +54,11 @@ struct FrankaArm {
     step();
     ++ticks;
   }
-  void step() { arm.step(commanded + arm.dynamics().gravity + torque_that_holds(load, arm.kinematics())); }
+  void step() {
+    arm.step(commanded + arm.dynamics().gravity + torque_that_holds(load, arm.kinematics()));
+    const examples::Dynamics<7> known = arm.model().dynamics(arm.q(), arm.dq(), load);
+    (void)observer.update(arm.tau_measured(), arm.dq(), known.mass_matrix, known.coriolis_transpose, known.gravity);
+  }
   /// Some packets never arrive: the robot goes on with the last command.
   std::uint64_t lose() {
     if (loses_every == 0 || ticks == 0 || ticks % loses_every != 0) return 0;
@@ -72,6 +77,7 @@ struct FrankaArm {
   Eigen::Isometry3d F_T_EE = Eigen::Isometry3d::Identity();
   Vector7 pose = examples::panda().ready + Vector7::Constant(0.1);
   examples::SyntheticArm<7> arm{examples::panda(), examples::SyntheticArmConfig<7>(), pose};
+  MomentumObserver<double, 7> observer{1e-3};  // of the robot: it knows the load's inertia too
   examples::RigidBody load;
   int loads_set = 0;
   double takes = 1;  // share of the load's mass that setLoad() takes

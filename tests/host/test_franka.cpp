@@ -53,7 +53,7 @@ TEST_CASE("franka_control: holds an unknown kilogram within 2 percent", "[host]"
   franka::Robot robot(franka.simulation());
   Compensation payload(kPeriod, franka_config());
   (void)franka.control(robot, payload, 1000);
-  CHECK(payload.torque().isZero(0));
+  CHECK(payload.torque().norm() < 1e-3);
   franka.arm.attach(unknown_kilogram());
   (void)franka.control(robot, payload, 3000);
 
@@ -168,10 +168,7 @@ TEST_CASE("franka_hand_over: the load is the payload in flange axes, and rme the
 TEST_CASE("franka_hand_over: a load that the robot has already is handed over together with the payload", "[host]") {
   FrankaHost franka;
   franka::Robot robot(franka.simulation());
-  PayloadCompensationConfig<double, 7> config;
-  config.estimator = franka_config();
-  config.hand_over_error = 2;  // [N m]: this robot leaves its load's inertia in tau_ext, which costs certainty
-  Compensation payload(kPeriod, config);
+  Compensation payload(kPeriod, franka_config());
   const RigidBody tool = box(0.7, {-0.02, 0.05, 0.03}, {0.05, 0.1, 0.05});
   franka.arm.attach(tool);
   FrankaLoad before;
