@@ -218,7 +218,8 @@ class Histories {
     using std::log;
     if (!due(i, t) || planned_ == kPlans) return;
     const Tale& parent = told(i);
-    const bool exchange = t.mode == Mode::Changing || t.anew || (t.mode == Mode::Empty && parent.mode == Mode::Held);
+    const bool exchange =
+        t.mode == Mode::Changing || t.anew || (t.mode == Mode::Empty && parent.mode == Mode::Held && !t.never);
     auto log_probability = static_cast<Scalar>(log(t.probability));
     if (exchange_likely_ && parent.settled()) {  // as much as everything else together
       const double all = model().kind().change * (1 + (parent.mode == Mode::Held ? 2 : 1) * Transitions::kAtOnce);
@@ -349,6 +350,7 @@ class Histories {
     story.mode = mode;
     story.payload = payload;
     story.log_plausible = Scalar(0);
+    story.log_none.reset();
     story.log_weight = log(probability);
     count_ = std::min(count_, Capacity - 1);
     for (int i = count_; i > 0; --i) told(i) = told(i - 1);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/inertial_parameters.hpp>
@@ -177,11 +178,11 @@ class StarGaussian {
   /// @param p  predict() of this observation, for the same j and the present state
   void observe(int j, const Prediction& p) noexcept {
     if (size_ == kArmShared)
-      observe_shared<kArmShared>(j, p);
+      observe_shared<kArmShared>(p);
     else if (size_ == kHeldShared)
-      observe_shared<kHeldShared>(j, p);
+      observe_shared<kHeldShared>(p);
     else
-      observe_shared<kShared>(j, p);
+      observe_shared<kShared>(p);
     observe_nuisances(j, p);
   }
   /// Updates only the nuisances of joint j, given x; x keeps its distribution (Schmidt's filter; docs/theory.md (T18)).
@@ -242,6 +243,35 @@ class StarGaussian {
       for (int n = 0; n < kJointNuisances; ++n)
         joint(j).slope(kPayload, n) = shift[static_cast<std::size_t>(j)][n] / along[0];
     size_ = kHeldShared;
+  }
+  /// The payload turns out to be none: everything else is as it is given phi = 0. No pour goes on. The hand is empty
+  /// afterwards.
+  /// @return log density of phi at 0 before [nats], without the constant factor of 2 pi (docs/theory.md (T51))
+  Scalar payload_is_none() noexcept {
+    if (empty()) return Scalar(0);
+    Scalar log_density = Scalar(0);
+    for (int i = kPayload; i < kPayload + kInertial; ++i) {
+      Prediction p;
+      for (int k = 0; k < kShared; ++k) p.spread[k] = factor_(i, k);
+      const Scalar square = detail::dot(p.spread, p.spread);
+      p.given_shared = Scalar(kExact) * square + std::numeric_limits<Scalar>::min();
+      p.variance = square + p.given_shared;
+      p.innovation = -mean_[i];
+      log_density -= Scalar(0.5) * (p.innovation * p.innovation / p.variance + std::log(p.variance));
+      observe_shared<kHeldShared>(p);
+    }
+    XMatrix arm = covariance();
+    for (int i = 0; i < kShared; ++i) {
+      for (int k = 0; k < kShared; ++k)
+        if (i >= kArmShared || k >= kArmShared) arm(i, k) = Scalar(0);
+      if (i < kArmShared) continue;
+      mean_[i] = Scalar(0);
+      for (Joint& joint : joints_)
+        for (int n = 0; n < kJointNuisances; ++n) joint.slope(i, n) = Scalar(0);
+    }
+    (void)factorise(arm, factor_);
+    size_ = kArmShared;
+    return log_density;
   }
   /// Counts the payload as part of the tool. The hand is empty afterwards.
   void payload_is_tool() noexcept {
@@ -405,7 +435,7 @@ class StarGaussian {
     p.innovation = p.conditional_error - ConstHead<Size>(mean_.data()).dot(u);
   }
   template <int Size>
-  void observe_shared(int, const Prediction& p) noexcept {
+  void observe_shared(const Prediction& p) noexcept {
     using std::sqrt;
     X row = X::Zero();
     Head<Size> covariance_row(row.data());
@@ -483,6 +513,8 @@ class StarGaussian {
     }
     return joint;
   }
+
+  static constexpr double kExact = 1e-6;  // variance of an exact statement, relative to what is known
 
   X mean_ = X::Zero();
   XMatrix factor_ = XMatrix::Zero();  // F

@@ -1,6 +1,7 @@
 #pragma once
 /// One account of what has happened to the hand so far, with its filter.
 #include <cmath>
+#include <optional>
 #include <rme/core/types.hpp>
 #include <rme/tracking/disturbance.hpp>
 #include <rme/tracking/mode.hpp>
@@ -22,6 +23,8 @@ struct Story {
   int next = 1;                           ///< name of the payload that will be held next
   Scalar log_weight = Scalar(0);          ///< log probability
   Scalar log_plausible = Scalar(0);       ///< log probability that the mass is plausible, as counted so far
+  /// Log density at phi = 0 of the prior that the payload was drawn from; only if it was drawn, and nothing poured since.
+  std::optional<Scalar> log_none;
 
   /// Whether both say the same of the present. They may differ in when it began.
   bool same(const Story& other) const noexcept {

@@ -79,7 +79,16 @@ class StoryFilter {
       anything.begin(rated_);
       return anything.observe(model_, star, Disturbing::Hand, kNone, rated_, out.squared);
     }
+    if (transition.never) {
+      // All blocks since it was drawn are as likely without it as its density at zero has grown by them.
+      const Scalar log_likelihood = child.star.payload_is_none() - *parent.log_none - parent.log_plausible;
+      child.payload = 0;
+      child.log_plausible = Scalar(0);
+      child.log_none.reset();
+      return log_likelihood + update(child, out);
+    }
     if (child.mode == Mode::Empty) {
+      child.log_none.reset();
       if (parent.payload != 0) model_.unload(child.star, parent.star.payload_mean());
       child.star.forget_payload();
       child.payload = 0;
@@ -90,6 +99,7 @@ class StoryFilter {
     if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
         if (child.payload == 0) model_.suppose_hidden(child.star, payload_.com_mean);
+        child.log_none.reset();
         child.pour.begin(child.star, payload_, rated_, child.quick);
         if (child.payload == 0) child.payload = child.take_next();
       }
@@ -126,6 +136,7 @@ class StoryFilter {
     log_likelihood += wrench.disturbance.weigh(model_, child.star, payload_, rated_);
     child.payload = child.take_next();
     draw(child, children.first(), out);
+    child.log_none.reset();  // the blocks before were a wrench's
     (void)update(child, out);
     child.log_plausible = log_plausible(child.star, kLightest);
     return log_likelihood + child.log_plausible;
@@ -146,7 +157,18 @@ class StoryFilter {
     (void)update(first, out);
     const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, first.star.mass()));
     const Scalar square = mass * mass + first.star.mass_variance();
-    child.star.draw_payload(payload_.mean(), payload_.factor(square));
+    const InertialVector<Scalar> mean = payload_.mean();
+    const InertialMatrix<Scalar> factor = payload_.factor(square);
+    child.star.draw_payload(mean, factor);
+    Scalar log_none = Scalar(0);
+    InertialVector<Scalar> white;  // factor^-1 mean
+    for (int i = 0; i < kInertial; ++i) {
+      white[i] = mean[i];
+      for (int k = 0; k < i; ++k) white[i] -= factor(i, k) * white[k];
+      white[i] /= factor(i, i);
+      log_none -= Scalar(0.5) * white[i] * white[i] + std::log(factor(i, i));
+    }
+    child.log_none = log_none;
   }
 
   /// Updates a story's filter with the block, joint by joint.

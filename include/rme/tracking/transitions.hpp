@@ -18,21 +18,23 @@ struct Transition {
   bool quick = false;                 ///< of Mode::Pouring: it is taken up quickly
   bool anew = false;                  ///< of Mode::Held: a payload is drawn from the prior
   bool late = false;                  ///< of such a payload: the change has shown that the observer is not as stated
+  bool never = false;                 ///< of Mode::Empty: there has been no payload since this one was drawn
   bool turned = false;                ///< of such a payload: the wrench that acted has been its weight all along
 };
 
 /// The transitions of a story, with their probabilities per block (docs/theory.md, "Stories" and "Numbers"). While a
 /// block is explained without them, most are left out; slow ones take place in every kSlow-th block.
 struct Transitions {
-  static constexpr double kDisturbs = 1e-3;     ///< something begins to push
-  static constexpr double kPours = 6e-4;        ///< something begins to flow into or out of what is held
-  static constexpr double kFills = 1.2e-4;      ///< the same of an empty hand
-  static constexpr double kAtOnce = 0.3;        ///< no block lies between the old payload, or none, and the new: as a
-                                                ///< share of SensingKind::change, to a new payload and to an empty hand
-  static constexpr double kPourEnds = 4e-3;     ///< a pour ends
-  static constexpr double kQuickEnds = 0.03;    ///< what is taken up slowly is taken up
-  static constexpr double kSettles = 0.25;      ///< a change ends in a new payload
-  static constexpr double kEmpties = 0.1;       ///< a change ends in an empty hand
+  static constexpr double kDisturbs = 1e-3;   ///< something begins to push
+  static constexpr double kPours = 6e-4;      ///< something begins to flow into or out of what is held
+  static constexpr double kFills = 1.2e-4;    ///< the same of an empty hand
+  static constexpr double kAtOnce = 0.3;      ///< no block lies between the old payload, or none, and the new: as a
+                                              ///< share of SensingKind::change, to a new payload and to an empty hand;
+                                              ///< and a payload turns out never to have been there
+  static constexpr double kPourEnds = 4e-3;   ///< a pour ends
+  static constexpr double kQuickEnds = 0.03;  ///< what is taken up slowly is taken up
+  static constexpr double kSettles = 0.25;    ///< a change ends in a new payload
+  static constexpr double kEmpties = 0.1;     ///< a change ends in an empty hand
   static constexpr double kDisturbEnds = 0.02;  ///< a push ends
   static constexpr double kTouchEnds = 0.01;    ///< a wrench that stays or grows along itself ends
   static constexpr double kJoltEnds = 0.25;     ///< a jolt ends
@@ -82,7 +84,8 @@ struct Transitions {
         const bool empty = story.mode == Mode::Empty;
         const double pours = (empty ? kFills : kPours) * kind.slowly, takes_up = empty ? kind.takes_up : 0;
         const double at_once = kAtOnce * change;
-        goes_on(1 - change - (empty ? 1 : 2) * at_once - kDisturbs - kind.jolt - pours - takes_up);
+        const double never = !empty && story.log_none ? at_once : 0;
+        goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up);
         if (takes_up > 0) {
           Transition quickly = to(Mode::Pouring, takes_up);
           quickly.quick = true;
@@ -97,8 +100,12 @@ struct Transitions {
           disturbed(kind.jolt, Disturbing::Jolt);
         }
         if (slow) use(to(Mode::Pouring, pours * kSlow));
-        // A payload that nothing shows any more is none: the hand is empty, however quietly it became so.
-        if (!empty && (slow || !explained)) use(to(Mode::Empty, explained ? at_once * kSlow : at_once));
+        if (!empty && !explained) use(to(Mode::Empty, at_once));
+        if (never > 0 && slow) {
+          Transition none = to(Mode::Empty, never * kSlow);
+          none.never = true;
+          use(none);
+        }
         break;
       }
       case Mode::Pouring: {
