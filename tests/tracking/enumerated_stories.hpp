@@ -2,8 +2,12 @@
 /// Stories by brute force: every child of every story, none ever given up, none left out.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <rme/tracking/histories.hpp>
 #include <vector>
+
+#include "support/linear_algebra.hpp"
 
 namespace rme::testing {
 
@@ -61,11 +65,11 @@ class EnumeratedStories {
     const SensingKind& kind = model.kind();
     const double c = kind.change;
     const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false,
-                           bool quick = false, bool late = false, bool turned = false) {
+                           bool quick = false, bool late = false, bool turned = false, bool never = false) {
       const bool same = mode == p.mode && !anew && (mode != Mode::Disturbed || how == p.how) &&
                         (mode != Mode::Pouring || quick == p.quick);
       if (same == goes_on && probability > 0)
-        add(take_in(model, p, mode, how, anew, quick, late, turned, std::log(probability)));
+        add(take_in(model, p, mode, how, anew, quick, late, turned, never, std::log(probability)));
     };
     const auto disturb = [&] {
       child(Mode::Disturbed, Transitions::kDisturbs);
@@ -73,11 +77,14 @@ class EnumeratedStories {
     };
     if (p.mode == Mode::Empty || p.mode == Mode::Held) {
       const double pours = (p.mode == Mode::Empty ? Transitions::kFills : Transitions::kPours) * kind.slowly;
-      child(p.mode, 1 - (p.mode == Mode::Held ? 1.6 : 1.3) * c - Transitions::kDisturbs - kind.jolt - pours -
+      const double never = p.mode == Mode::Held && p.log_none ? 0.3 * c : 0;
+      child(p.mode, 1 - (p.mode == Mode::Held ? 1.6 : 1.3) * c - never - Transitions::kDisturbs - kind.jolt - pours -
                         (p.mode == Mode::Empty ? kind.takes_up : 0));
       child(Mode::Changing, c);
       child(Mode::Held, 0.3 * c, Disturbing::Hand, true);
       if (p.mode == Mode::Held) child(Mode::Empty, 0.3 * c);
+      if (blocks_ % Transitions::kSlow == 0)
+        child(Mode::Empty, Transitions::kSlow * never, Disturbing::Hand, false, false, false, false, true);
       disturb();
       if (p.mode == Mode::Empty) child(Mode::Pouring, kind.takes_up, Disturbing::Hand, false, true);
       if (blocks_ % Transitions::kSlow == 0) child(Mode::Pouring, Transitions::kSlow * pours);
@@ -117,16 +124,25 @@ class EnumeratedStories {
   }
 
   Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, bool quick, bool late,
-               bool turned, double log_transition) {
+               bool turned, bool never, double log_transition) {
     Tale child = parent;
     child.mode = mode;
     child.how = how;
     child.quick = quick;
     model.predict(child.star);
     if (parent.mode == Mode::Pouring && mode != Mode::Pouring) child.star.end_pour();
-    child.log_weight +=
-        log_transition + (turned ? turn(model, parent, child) : likelihood(model, parent, child, anew, late));
+    child.log_weight += log_transition + (turned  ? turn(model, parent, child)
+                                          : never ? nothing(model, child)
+                                                  : likelihood(model, parent, child, anew, late));
     return child;
+  }
+  /// There has been no payload since this one was drawn: what the joints' torques say of it, and its prior, at zero.
+  double nothing(const Model& model, Tale& child) {
+    double out = -*child.log_none - child.log_plausible + child.star.payload_is_none();
+    child.payload = 0;
+    child.log_plausible = 0;
+    child.log_none.reset();
+    return out + observe(model, child.star, nullptr);
   }
   /// The wrench has been a payload all along.
   double turn(const Model& model, const Tale& parent, Tale& child) {
@@ -139,6 +155,7 @@ class EnumeratedStories {
     child.payload = child.next++;
     draw(model, child.star);
     child.log_plausible = plausible(child.star);
+    child.log_none.reset();
     return out + child.log_plausible;
   }
   double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew, bool late) {
@@ -163,6 +180,7 @@ class EnumeratedStories {
       child.star.forget_payload();
       child.payload = 0;
       child.log_plausible = 0;
+      child.log_none.reset();
       return observe(model, child.star, nullptr);
     }
     double out = 0;
@@ -174,10 +192,11 @@ class EnumeratedStories {
         wider[kLag] = Transitions::kLate * Transitions::kLate;
         child.star.widen_arm(wider);
       }
-      out = draw(model, child.star);
+      out = draw(model, child.star, &child.log_none);
     } else if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
         if (child.payload == 0) model.suppose_hidden(child.star, prior_.com_mean);
+        child.log_none.reset();
         child.pour.begin(child.star, prior_, rated_, child.quick);
         if (child.payload == 0) child.payload = child.next++;
       }
@@ -191,12 +210,14 @@ class EnumeratedStories {
     return out + child.log_plausible - before;
   }
   /// A new payload; its prior is for the mass that this block shows.
-  double draw(const Model& model, StarGaussian<double, Dofs>& star) {
+  double draw(const Model& model, StarGaussian<double, Dofs>& star, std::optional<double>* log_none = nullptr) {
     star.draw_payload(prior_.mean(), prior_.factor(prior_.square_mass()));
     auto shown = star;
     observe(model, shown, nullptr);
     const double mass = std::clamp(shown.mass(), 0.02 * rated_, rated_);
-    star.draw_payload(prior_.mean(), prior_.factor(mass * mass + shown.mass_variance()));
+    const oracle::Matrix factor = prior_.factor(mass * mass + shown.mass_variance());
+    star.draw_payload(prior_.mean(), factor);
+    if (log_none != nullptr) *log_none = oracle::log_normal(prior_.mean(), oracle::square(factor));
     return observe(model, star, nullptr);
   }
   double observe(const Model& model, StarGaussian<double, Dofs>& star, Pour<double, Dofs>* pour) {

@@ -350,6 +350,42 @@ TEST_CASE("StarGaussian: what changes the payload, the tool or the rate keeps th
   }
 }
 
+TEST_CASE("StarGaussian: a payload that turns out to be none leaves what an empty hand would have learned", "[star]") {
+  const unsigned seed = 317;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (int trial = 0; trial < 20; ++trial) {
+    CAPTURE(trial);
+    Star nothing;
+    nothing.set_arm(Arm::Constant(0.5));
+    for (int j = 0; j < kJoints; ++j) {
+      nothing.joint(j).mean = random_vector(random, kJointNuisances);
+      nothing.joint(j).slope.topRows<kArmShared>() = oracle::random_matrix(random, kArmShared, kJointNuisances);
+      nothing.joint(j).covariance = oracle::square(oracle::random_matrix(random, kJointNuisances, kJointNuisances));
+    }
+    Star star = nothing;
+    const Vector mean = random_vector(random, kInertial);
+    const Matrix factor = oracle::random_matrix(random, kInertial, kInertial);
+    star.draw_payload(mean, factor);
+    double gained = 0;  // by there being nothing
+    for (int k = 0; k < 30; ++k) {
+      const auto o = random_observation(random);
+      const auto with = star.predict(k % kJoints, o), without = nothing.predict(k % kJoints, o);
+      const auto log_density = [](const auto& p) {
+        return -0.5 * (p.innovation * p.innovation / p.variance + std::log(p.variance));
+      };
+      gained += log_density(without) - log_density(with);
+      star.observe(k % kJoints, with);
+      nothing.observe(k % kJoints, without);
+    }
+    // The ratio of the likelihoods is that of the densities at zero (Dickey, Annals of Mathematical Statistics 1971).
+    const double prior = oracle::log_normal(mean, oracle::square(factor));
+    CHECK(star.payload_is_none() - prior == Approx(gained).epsilon(1e-4).margin(1e-4));
+    CHECK(star.empty());
+    CHECK(difference(dense(star), dense(nothing)) < 1e-5);
+  }
+}
+
 TEST_CASE("StarGaussian: what is poured at a rate takes along what is known of both", "[star]") {
   // (x, beta, r): beta depends on r through x alone, so cov(beta_j, r) = B_j cov(x, r).
   const unsigned seed = 514;

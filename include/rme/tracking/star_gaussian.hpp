@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/inertial_parameters.hpp>
@@ -254,8 +253,9 @@ class StarGaussian {
       Prediction p;
       for (int k = 0; k < kShared; ++k) p.spread[k] = factor_(i, k);
       const Scalar square = detail::dot(p.spread, p.spread);
-      p.given_shared = Scalar(kExact) * square + std::numeric_limits<Scalar>::min();
-      p.variance = square + p.given_shared;
+      if (!(square > 0)) continue;
+      p.given_shared = Scalar(0);
+      p.variance = square;
       p.innovation = -mean_[i];
       log_density -= Scalar(0.5) * (p.innovation * p.innovation / p.variance + std::log(p.variance));
       observe_shared<kHeldShared>(p);
@@ -513,8 +513,6 @@ class StarGaussian {
     }
     return joint;
   }
-
-  static constexpr double kExact = 1e-6;  // variance of an exact statement, relative to what is known
 
   X mean_ = X::Zero();
   XMatrix factor_ = XMatrix::Zero();  // F

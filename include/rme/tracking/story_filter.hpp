@@ -80,7 +80,7 @@ class StoryFilter {
       return anything.observe(model_, star, Disturbing::Hand, kNone, rated_, out.squared);
     }
     if (transition.never) {
-      // All blocks since it was drawn are as likely without it as its density at zero has grown by them.
+      // docs/theory.md (T51)
       const Scalar log_likelihood = child.star.payload_is_none() - *parent.log_none - parent.log_plausible;
       child.payload = 0;
       child.log_plausible = Scalar(0);
