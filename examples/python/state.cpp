@@ -1,6 +1,8 @@
 // EstimatorState, and what it is made of: PayloadGaussian, InertialGaussian, Event.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "python/bindings.hpp"
 
@@ -13,12 +15,19 @@ struct Inertial {
   py::array mean, covariance;
 };
 
-std::string text_of(const PayloadGaussian<double>& payload) {
-  char text[160];
-  const Vector4<double> std = payload.standard_deviation();
-  std::snprintf(text, sizeof text, "%.4g +- %.2g kg at (%.4g +- %.2g, %.4g +- %.2g, %.4g +- %.2g) m", payload.mean[0],
-                std[0], payload.mean[1], std[1], payload.mean[2], std[2], payload.mean[3], std[3]);
+/// A mean to the second digit of its standard deviation, and that.
+std::string text_of(double mean, double deviation) {
+  const bool known = deviation > 1e-9 && std::isfinite(deviation);
+  const int decimals = known ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(deviation)))) : 9;
+  char text[80];
+  std::snprintf(text, sizeof text, "%.*f +- %.2g", decimals, mean, deviation);
   return text;
+}
+
+std::string text_of(const PayloadGaussian<double>& payload) {
+  const Vector4<double> std = payload.standard_deviation();
+  const auto entry = [&](int i) { return text_of(payload.mean[i], std[i]); };
+  return entry(0) + " kg at (" + entry(1) + ", " + entry(2) + ", " + entry(3) + ") m";
 }
 
 py::array copy_of(const Vector4<double>& vector) {

@@ -281,6 +281,11 @@ TEST_CASE("KDL: under noise the lightest and the heaviest payload are found with
           const Found found =
               live<std::decay_t<decltype(once)>::dofs>(once.arm, once.rated, mass, moving, kNoise, seed);
           CHECK(found.attached);
+          if (std::getenv("RME_PRINT") != nullptr)
+            std::printf(
+                "rated %.0f kg, %.1f kg %s, seed %u: mass %.1f g (+- %.1f), empty after %.2f s (%.0f g at last)\n",
+                once.rated, mass, moving ? "moving" : "at rest", seed, 1e3 * found.mass_error,
+                1e3 * found.mass_deviation, std::min(found.empty_after, 99.0), 1e3 * found.mass_after);
           beyond += found.mass_error > std::max(kRough.share * mass, kRough.least) || found.empty_after > 1 ? 1 : 0;
           ++lives;
         }

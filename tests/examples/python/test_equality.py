@@ -36,8 +36,9 @@ def same(actual, expected, what):
 
 def read(state, name):
     """state.payload.mean for the name of that column, and the result of a call for a name with brackets."""
-    value = operator.attrgetter(name.partition(".")[2].removesuffix("()"))(state)
-    return value() if name.endswith("()") else value
+    name, call, arguments = name.partition(".")[2].removesuffix(")").partition("(")
+    value = operator.attrgetter(name)(state)
+    return value(*map(float, filter(None, arguments.split(",")))) if call else value
 
 
 log = np.genfromtxt(log_file, delimiter=",", names=True)
