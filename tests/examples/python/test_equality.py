@@ -100,7 +100,7 @@ for i, row in enumerate(table):
 compared |= {"call", "period", "status", "torque", "ramp.status", "ramp.torque"}
 assert compared == set(columns), f"not compared: {set(columns) - compared}"
 fields = {name for name in dir(rme.EstimatorState) if not name.startswith("_")} - {"copy"}
-assert {name.split(".")[1].removesuffix("()") for name in columns if name.startswith("state.")} == fields
+assert {name.split(".")[1].partition("(")[0] for name in columns if name.startswith("state.")} == fields
 assert len(payloads) > 10, "the estimate changes"
 assert "observer.tau_ext" in columns or "tau1" not in log.dtype.names
 if scenario == "everything":
