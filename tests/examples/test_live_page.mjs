@@ -34,7 +34,7 @@ async function open(width, height, url = address) {
   return page;
 }
 const number = (page, id) => page.$eval(`#${id}`, (element) => +element.dataset.value);
-const until = (page, what, ...more) => page.waitForFunction(what, ...more, {timeout: 120000});
+const until = (page, what, argument) => page.waitForFunction(what, argument, {timeout: 240000});
 const untilMass = (page, mass) => until(page, (m) => Math.abs(document.querySelector('#mass').dataset.value - m) < 0.02, mass);
 const handOf = async (page, name) => {
   const {x, y} = await page.locator('#scene').boundingBox();
