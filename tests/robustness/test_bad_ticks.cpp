@@ -1,6 +1,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <rme/core/compensation.hpp>
 #include <rme/estimator.hpp>
 #include <string>
 #include <vector>
