@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <rme/core/compensation.hpp>
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/payload.hpp>
 #include <rme/core/plausible.hpp>
