@@ -34,7 +34,7 @@ async function open(width, height, url = address) {
   return page;
 }
 const number = (page, id) => page.$eval(`#${id}`, (element) => +element.dataset.value);
-const until = (page, what, argument) => page.waitForFunction(what, argument, {timeout: 240000});
+const until = (page, what, argument) => page.waitForFunction(what, argument, {timeout: 480000});
 const untilMass = (page, mass) => until(page, (m) => Math.abs(document.querySelector('#mass').dataset.value - m) < 0.02, mass);
 const handOf = async (page, name) => {
   const {x, y} = await page.locator('#scene').boundingBox();
@@ -144,6 +144,7 @@ const replayed = await page.textContent('#output');
 assert.ok(events.length > 0);
 for (const {kind, t, mass} of events) assert.ok(replayed.includes(`${t.toFixed(3)} s  ${kind}  ${mass.toFixed(3)}`), replayed);
 await page.screenshot({path: join(pictures, 'replayed-1280.png'), fullPage: true});
+await page.close();  // its pictures would take the time of the next one's sums
 
 const other = await open(390, 844);
 await until(other, () => document.querySelector('#mass')?.dataset.value > 0.5);
