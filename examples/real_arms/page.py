@@ -89,8 +89,8 @@ def first_paragraph(scores, simulated):
             f"mean {grams(sum(ours) / len(ours))}; that of the best online rival of each run, chosen afterwards, "
             f"{grams(sum(rivals[run][0] for run in loaded) / len(loaded))}."
         )
-        beaten = {run: rivals[run] for run, by in runs.items() if rivals[run][0] < by["rme"]}
-        parts.append(f"rme was at least as good as each of them in {len(runs) - len(beaten)} of {len(runs)} runs.")
+        beaten = {run: rivals[run] for run, by in runs.items() if round(1000 * rivals[run][0]) < round(1000 * by["rme"])}
+        parts.append(f"To the gram, rme was at least as good as each of them in {len(runs) - len(beaten)} of {len(runs)} runs.")
         if beaten:
             listed = "; ".join(
                 f"{run} ({method}: {grams(error)}, rme: {grams(runs[run]['rme'])})" for run, (error, method) in beaten.items()
