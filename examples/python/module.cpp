@@ -66,13 +66,15 @@ void bind_enums(py::module_& module) {
       "Kinds of events.\n\n"
       "Attached: something is in a hand that was empty. Exchanged: the payload is heavier or\n"
       "lighter than before. Removed: the hand is empty again. Filling: the payload's mass has\n"
-      "drifted. Pushed: something pushed, and the payload is the same as before.",
+      "drifted. Pushed: something pushed, and the payload is the same as before. Moved: the\n"
+      "payload is as heavy as before, and its centre of mass is elsewhere: slipped or turned.",
       {{"Nothing", EventKind::None},
        {"Attached", EventKind::Attached},
        {"Exchanged", EventKind::Exchanged},
        {"Removed", EventKind::Removed},
        {"Filling", EventKind::Filling},
-       {"Pushed", EventKind::Pushed}});
+       {"Pushed", EventKind::Pushed},
+       {"Moved", EventKind::Moved}});
 }
 
 }  // namespace rme::python

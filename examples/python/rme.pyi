@@ -42,6 +42,7 @@ class EventKind(enum.IntEnum):
     Removed = 3
     Filling = 4
     Pushed = 5
+    Moved = 6
 
 class ArmPrior:
     def __init__(

@@ -206,7 +206,7 @@ void Estimator<Scalar, Dofs>::process() noexcept {
     const TorqueBlock<Scalar, Dofs>& block = averager_.block();
     publish();
     events_.update(state_.probability, block.end - static_cast<double>(block.duration), block.end, state_.time,
-                   state_.payload.mean[0], state_.payload.standard_deviation()[0]);
+                   state_.payload);
     state_.updated = block.end;
     if (state_.probability[Mode::Held] + state_.probability[Mode::Pouring] > Scalar(0.9))
       guard_.learn(detail::difference(block.tau, detail::product(block.regressor, state_.inertial.mean)));

@@ -30,6 +30,7 @@
 #include <rme/host/hand_over.hpp>
 #include <rme/host/largest_levers.hpp>
 #include <rme/host/load_watch.hpp>
+#include <rme/host/object_catalogue.hpp>
 #include <rme/host/payload_changes.hpp>
 #include <rme/host/payload_compensation.hpp>
 #include <rme/host/runtime_compensation_ramp.hpp>

@@ -61,7 +61,7 @@ struct Loop {
   static_assert(noexcept(my<Tracker>().set_payload(a<rme::PayloadGaussian<Scalar>>())));
   static_assert(noexcept(my<Guard>().update(a<Vector>(), a<Vector>(), Scalar(1e-3))));
   static_assert(noexcept(my<Guard>().learn(a<Vector>())) && noexcept(a<Guard>().share()));
-  static_assert(noexcept(my<Monitor>().update(a<rme::PerMode<Scalar>>(), 0, 1, 1, Scalar(1), Scalar(1))));
+  static_assert(noexcept(my<Monitor>().update(a<rme::PerMode<Scalar>>(), 0, 1, 1, a<rme::PayloadGaussian<Scalar>>())));
   static_assert(noexcept(my<Monitor>().believe(true)) && noexcept(my<Monitor>().reset()));
   static_assert(noexcept(rme::within_rated(a<Inertial>(), Scalar(3))));
   static_assert(noexcept(rme::payload_of(a<Inertial>(), a<rme::PayloadPrior<Scalar>>())));
@@ -109,6 +109,9 @@ struct Loop {
   static_assert(noexcept(my<Program>().maximise(a<Vector3>(), my<rme::LinearProgramResult<Scalar, 3>>())));
 
   // host
+  using Catalogue = rme::ObjectCatalogue<Scalar, 8>;
+  static_assert(noexcept(a<Catalogue>().identify(a<rme::EstimatorState<Scalar>>())));
+  static_assert(noexcept(a<Catalogue>().size()) && noexcept(a<Catalogue>().name(0)));
   using Host = rme::PayloadCompensation<Scalar, Dofs>;
   using Body = rme::InertialParameters<Scalar>;
   using Dynamic = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;

@@ -1,4 +1,5 @@
 #include <rme/tracking/event_monitor.hpp>
+#include <string>
 
 #include "support/catch.hpp"
 
@@ -7,20 +8,29 @@ namespace {
 using rme::EventKind;
 using rme::Mode;
 
+using Gaussian = rme::PayloadGaussian<double>;
+
 constexpr double kBlock = 0.02;  // [s]
+
+/// A mass [kg] known to a deviation, with its centre 10 cm below the flange.
+Gaussian weighing(double mass, double deviation) {
+  return Gaussian::independent({mass, 0, 0, 0.1}, {deviation, 0.002, 0.002, 0.002});
+}
 
 /// A monitor that sees one mode at a time.
 struct Story {
   rme::EventMonitor<double> monitor;
   double t = 0;
 
-  /// `blocks` blocks in which a mode is likeliest, and what mass is believed in.
-  Story& see(Mode likeliest, int blocks, double mass = 0, double deviation = 0.001) {
+  /// `blocks` blocks in which a mode is likeliest, and what payload is believed in.
+  Story& see(Mode likeliest, int blocks, const Gaussian& payload) {
     rme::PerMode<double> probability = {{0.02, 0.02, 0.02, 0.02, 0.02}};
     probability[likeliest] = 0.92;
-    for (; blocks > 0; --blocks, t += kBlock)
-      monitor.update(probability, t, t + kBlock, t + kBlock + 0.005, mass, deviation);
+    for (; blocks > 0; --blocks, t += kBlock) monitor.update(probability, t, t + kBlock, t + kBlock + 0.005, payload);
     return *this;
+  }
+  Story& see(Mode likeliest, int blocks, double mass = 0, double deviation = 0.001) {
+    return see(likeliest, blocks, weighing(mass, deviation));
   }
   EventKind kind() const { return monitor.last().kind; }
 };
@@ -94,9 +104,9 @@ TEST_CASE(
 
 TEST_CASE("EventMonitor: a change that is only as likely as none is none", "[event_monitor]") {
   rme::EventMonitor<double> monitor;
-  monitor.update({{0.5, 0, 0, 0.5, 0}}, 0, kBlock, kBlock, 0.5, 0.5);
+  monitor.update({{0.5, 0, 0, 0.5, 0}}, 0, kBlock, kBlock, weighing(0.5, 0.5));
   CHECK_FALSE(monitor.changing());
-  monitor.update({{0.4999, 0, 0, 0.5001, 0}}, kBlock, 2 * kBlock, 2 * kBlock, 0.5, 0.5);
+  monitor.update({{0.4999, 0, 0, 0.5001, 0}}, kBlock, 2 * kBlock, 2 * kBlock, weighing(0.5, 0.5));
   CHECK(monitor.changing());
 }
 
@@ -105,7 +115,7 @@ TEST_CASE("EventMonitor: for 0.4 s sharp a payload has not been known for longer
   const auto see = [&](Mode likeliest, double begin, double end) {
     rme::PerMode<double> probability;
     probability[likeliest] = 1;
-    monitor.update(probability, begin, end, end, 1, 0.001);
+    monitor.update(probability, begin, end, end, weighing(1, 0.001));
   };
   see(Mode::Changing, 0, 0.4);
   see(Mode::Pouring, 0.4, 0.8);  // 0.8 - 0.4 is 0.4 to the last bit
@@ -141,6 +151,77 @@ TEST_CASE(
   // 3, 4 and 5 eighths: exactly three doubts are no other payload.
   CHECK(kind(4, 4 + 1.875, 0.375, 0.5) == EventKind::None);
   CHECK(kind(4, 4 + 1.876, 0.375, 0.5) == EventKind::Exchanged);
+}
+
+/// What a change to `after` is, of something held as in `before`.
+EventKind change_of(const Gaussian& before, const Gaussian& after, Mode through = Mode::Changing) {
+  Story story;
+  story.see(Mode::Empty, 50).see(Mode::Changing, 3, before).see(Mode::Held, 20, before);
+  REQUIRE(story.kind() == EventKind::Attached);
+  story.see(through, 3, after).see(Mode::Held, 20, after);
+  return story.monitor.last().number == 1 ? EventKind::None : story.kind();
+}
+Gaussian with_com(const Eigen::Vector3d& com, const Eigen::Vector3d& deviation, double mass = 1) {
+  Eigen::Vector4d mean, spread;
+  mean << mass, com;
+  spread << 0.001, deviation;
+  return Gaussian::independent(mean, spread);
+}
+
+TEST_CASE("EventMonitor: as heavy as before with its centre elsewhere, the payload has moved in the hand",
+          "[event_monitor]") {
+  const Eigen::Vector3d sure = Eigen::Vector3d::Constant(0.001);
+  const Gaussian before = with_com({0.02, 0, 0.1}, sure);
+  for (const Eigen::Vector3d& way : {Eigen::Vector3d(0.03, 0, 0), Eigen::Vector3d(0, -0.03, 0),
+                                     Eigen::Vector3d(0, 0, 0.03), Eigen::Vector3d(0.02, 0.02, -0.02)}) {
+    CAPTURE(way.transpose());
+    CHECK(change_of(before, with_com(before.mean.tail<3>() + way, sure)) == EventKind::Moved);
+    // Pushed until it turned, it has moved.
+    CHECK(change_of(before, with_com(before.mean.tail<3>() + way, sure), Mode::Disturbed) == EventKind::Moved);
+  }
+  // Another mass is another payload, wherever its centre is.
+  CHECK(change_of(before, with_com({0.06, 0, 0.1}, sure, 1.1)) == EventKind::Exchanged);
+  CHECK(change_of(before, with_com({0.02, 0, 0.1}, sure), Mode::Disturbed) == EventKind::Pushed);
+}
+
+TEST_CASE("EventMonitor: a centre of mass is elsewhere from 1 cm on, and from what its uncertainty explains",
+          "[event_monitor]") {
+  const Eigen::Vector3d sure = Eigen::Vector3d::Constant(0.0001);
+  CHECK(change_of(with_com({0, 0, 0.1}, sure), with_com({0.0099, 0, 0.1}, sure)) == EventKind::None);
+  CHECK(change_of(with_com({0, 0, 0.1}, sure), with_com({0.0101, 0, 0.1}, sure)) == EventKind::Moved);
+  // 6 and 8 mm of doubt are 10 mm about the difference: 14.16 is 3.763 of them, squared.
+  const Eigen::Vector3d once = Eigen::Vector3d::Constant(0.006), again = Eigen::Vector3d::Constant(0.008);
+  CHECK(change_of(with_com({0, 0, 0.1}, once), with_com({0, 0.0376, 0.1}, again)) == EventKind::None);
+  CHECK(change_of(with_com({0, 0, 0.1}, once), with_com({0, 0.0377, 0.1}, again)) == EventKind::Moved);
+  // Along gravity, which a resting arm does not show, 10 cm are nothing; across it, 2 cm are known.
+  const Eigen::Vector3d resting(0.002, 0.002, 0.07);
+  CHECK(change_of(with_com({0, 0, 0.1}, resting), with_com({0, 0, 0.2}, resting)) == EventKind::None);
+  CHECK(change_of(with_com({0, 0, 0.1}, resting), with_com({0, 0.02, 0.1}, resting)) == EventKind::Moved);
+  // What is correlated counts as such: a share of the mass's doubt is in each entry alike.
+  Gaussian alike = with_com({0, 0, 0.1}, sure), away = with_com({0.02, 0.02, 0.1}, sure);
+  for (Gaussian* each : {&alike, &away}) each->covariance.block<2, 2>(1, 1).array() += 1e-4;
+  CHECK(change_of(alike, away) == EventKind::None);
+  away.mean[2] = -0.02;
+  CHECK(change_of(alike, away) == EventKind::Moved);
+}
+
+TEST_CASE("EventMonitor: what has moved is compared with where it is now", "[event_monitor]") {
+  const Eigen::Vector3d sure = Eigen::Vector3d::Constant(0.001);
+  const Gaussian here = with_com({0, 0, 0.1}, sure), there = with_com({0.05, 0, 0.1}, sure);
+  Story story;
+  story.see(Mode::Empty, 50).see(Mode::Changing, 3, here).see(Mode::Held, 20, here);
+  story.see(Mode::Changing, 3, there).see(Mode::Held, 20, there);
+  REQUIRE(story.kind() == EventKind::Moved);
+  story.see(Mode::Disturbed, 10, there).see(Mode::Held, 20, there);
+  CHECK(story.kind() == EventKind::Pushed);
+  story.see(Mode::Changing, 3, here).see(Mode::Held, 20, here);
+  CHECK(story.kind() == EventKind::Moved);
+  CHECK(story.monitor.last().number == 4);
+}
+
+TEST_CASE("EventMonitor: each kind has its name for logs", "[event_monitor]") {
+  CHECK(rme::to_string(EventKind::Pushed) == std::string("pushed"));
+  CHECK(rme::to_string(EventKind::Moved) == std::string("moved"));
 }
 
 TEST_CASE("EventMonitor: a mass that is another one after a push, or after a hand-over that drifted, is an exchange",

@@ -52,6 +52,8 @@ const char* name_of(rme::EventKind kind) {
       return "filling";
     case rme::EventKind::Pushed:
       return "pushed";
+    case rme::EventKind::Moved:
+      return "moved";
     default:
       return "nothing";
   }

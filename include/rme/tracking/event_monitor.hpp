@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <rme/core/cholesky.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
+#include <rme/inference/payload_gaussian.hpp>
 #include <rme/tracking/mode.hpp>
 
 namespace rme {
@@ -16,6 +19,7 @@ enum class EventKind : std::uint8_t {
   Removed,    ///< the hand is empty again
   Filling,    ///< the payload's mass has drifted
   Pushed,     ///< something pushed; the payload is the same as before
+  Moved,      ///< the payload is as heavy as before, and its centre of mass is elsewhere: it has slipped or turned
 };
 
 /// The enumerator's name, for logs.
@@ -33,6 +37,8 @@ constexpr const char* to_string(EventKind kind) noexcept {
       return "filling";
     case EventKind::Pushed:
       return "pushed";
+    case EventKind::Moved:
+      return "moved";
   }
   return "unknown";
 }
@@ -50,7 +56,8 @@ struct Event {
 /// disturbance or a pour is likeliest, or when the hand is found empty that held something, or the reverse. It is over
 /// once Empty or Held has been likeliest for 0.1 s. It is also over 0.4 s after Changing was likeliest for the last
 /// time, unless Disturbed is likeliest then. If the payload is then the same as before and nothing pushed, it does not
-/// count as an event. No call allocates.
+/// count as an event. Mass and centre of mass are another one if they differ by more than their uncertainties before and
+/// after explain, and by more than 2 % or 1 cm. No call allocates.
 template <typename Scalar>
 class EventMonitor {
  public:
@@ -59,10 +66,9 @@ class EventMonitor {
   /// @param begin        time at which the block begins [s]
   /// @param end          time at which the block ends [s]
   /// @param now          present time [s], later than `end` by the computation of the block
-  /// @param mass         estimated mass after the block [kg]
-  /// @param deviation    its standard deviation [kg]
-  void update(const PerMode<Scalar>& probability, double begin, double end, double now, Scalar mass,
-              Scalar deviation) noexcept {
+  /// @param payload      estimate after the block; of an empty hand, it does not matter
+  void update(const PerMode<Scalar>& probability, double begin, double end, double now,
+              const PayloadGaussian<Scalar>& payload) noexcept {
     Mode likeliest = Mode::Empty;
     for (std::size_t i = 1; i < kModes; ++i)
       if (probability.values[i] > probability[likeliest]) likeliest = static_cast<Mode>(i);
@@ -70,8 +76,7 @@ class EventMonitor {
     const bool settled = empty || steady;
     if (!changing_) {
       if (settled && empty == was_empty_) {
-        mass_ = mass;
-        deviation_ = deviation;
+        before_ = payload;
         return;
       }
       changing_ = true;
@@ -89,7 +94,7 @@ class EventMonitor {
     filled_ = filled_ || likeliest == Mode::Pouring;
     quiet_ = settled ? quiet_ + (end - begin) : 0;
     const bool known = exchanged_ && likeliest != Mode::Disturbed && end - exchanged_at_ > kKnown;
-    if (quiet_ > kQuiet - 1e-9 || known) finish(empty, now, mass, deviation);
+    if (quiet_ > kQuiet - 1e-9 || known) finish(empty, now, payload);
   }
   void reset() noexcept { *this = EventMonitor(); }  ///< an empty hand, no event
 
@@ -108,30 +113,48 @@ class EventMonitor {
   static constexpr double kQuiet = 0.1;  // how long Empty or Held has to be likeliest at the end of an event [s]
   static constexpr double kKnown = 0.4;  // how long after a change the event is over in any case [s]
 
-  void finish(bool empty, double now, Scalar mass, Scalar deviation) noexcept {
-    using std::abs;
-    using std::sqrt;
+  // A centre of mass that is this near is the same [m], and so is one whose distance, squared and in standard deviations,
+  // is not above kUnlike: three numbers exceed it as rarely as one number exceeds three standard deviations.
+  static constexpr double kNear = 0.01, kUnlike = 14.16;
+
+  void finish(bool empty, double now, const PayloadGaussian<Scalar>& payload) noexcept {
     changing_ = false;
     EventKind kind = EventKind::None;
-    // Standard deviation of the difference of the two masses.
-    const Scalar doubt = sqrt(deviation * deviation + deviation_ * deviation_);
     if (empty != was_empty_)
       kind = empty ? EventKind::Removed : EventKind::Attached;
-    else if (!empty && abs(mass - mass_) > std::max(3 * doubt, Scalar(0.02) * mass_))
+    else if (!empty && another_mass(payload))
       kind = filled_ && !exchanged_ ? EventKind::Filling : EventKind::Exchanged;
+    else if (!empty && another_com(payload))
+      kind = EventKind::Moved;
     else if (pushed_)
       kind = EventKind::Pushed;
     was_empty_ = empty;
-    if (kind != EventKind::Pushed) {
-      mass_ = mass;
-      deviation_ = deviation;
-    }
+    if (kind != EventKind::Pushed) before_ = payload;
     if (kind != EventKind::None) last_ = {last_.number + 1, kind, onset_, noticed_, now};
+  }
+  bool another_mass(const PayloadGaussian<Scalar>& after) const noexcept {
+    using std::abs;
+    using std::sqrt;
+    const Scalar doubt = sqrt(before_.covariance(0, 0) + after.covariance(0, 0));  // about the difference
+    return abs(after.mean[0] - before_.mean[0]) > std::max(3 * doubt, Scalar(0.02) * before_.mean[0]);
+  }
+  bool another_com(const PayloadGaussian<Scalar>& after) const noexcept {
+    Vector3<Scalar> away;
+    Matrix3<Scalar> doubt;
+    for (int i = 0; i < 3; ++i) {
+      away[i] = after.mean[1 + i] - before_.mean[1 + i];
+      for (int j = 0; j < 3; ++j) doubt(i, j) = after.covariance(1 + i, 1 + j) + before_.covariance(1 + i, 1 + j);
+    }
+    if (!(detail::dot(away, away) > Scalar(kNear * kNear))) return false;
+    const Cholesky<Scalar, 3> factor(doubt);
+    if (!factor.positive_definite()) return false;
+    const Vector3<Scalar> white = factor.solve_lower(away);
+    return detail::dot(white, white) > Scalar(kUnlike);
   }
 
   Event last_;
   bool was_empty_ = true;
-  Scalar mass_ = Scalar(0), deviation_ = Scalar(0);  // mass before the event, and its standard deviation [kg]
+  PayloadGaussian<Scalar> before_{Vector4<Scalar>::Zero(), Matrix4<Scalar>::Zero()};  // the payload before the event
   // of the current event: whether it goes on, and whether a change, a push and a pour were likeliest in it
   bool changing_ = false, exchanged_ = false, pushed_ = false, filled_ = false;
   double onset_ = 0, noticed_ = 0, quiet_ = 0, exchanged_at_ = -1;  // [s]
