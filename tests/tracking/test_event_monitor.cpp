@@ -219,6 +219,24 @@ TEST_CASE("EventMonitor: what has moved is compared with where it is now", "[eve
   CHECK(story.monitor.last().number == 4);
 }
 
+TEST_CASE("EventMonitor: a block that half belongs to a change does not count as the payload before it",
+          "[event_monitor]") {
+  const Eigen::Vector3d sure = Eigen::Vector3d::Constant(0.002);
+  const Gaussian here = with_com({0, 0, 0.1}, sure), there = with_com({0.04, 0, 0.1}, sure);
+  Story story;
+  story.see(Mode::Empty, 50).see(Mode::Changing, 3, here).see(Mode::Held, 20, here);
+  // Held is likeliest still, and the estimate a mixture: half way, and as uncertain as that.
+  rme::PerMode<double> probability;
+  probability[Mode::Held] = 0.55;
+  probability[Mode::Changing] = 0.45;
+  const Gaussian mixture = with_com({0.02, 0, 0.1}, Eigen::Vector3d(0.02, 0.002, 0.002));
+  story.monitor.update(probability, story.t, story.t + kBlock, story.t + kBlock, mixture);
+  REQUIRE_FALSE(story.monitor.changing());
+  story.t += kBlock;
+  story.see(Mode::Changing, 2, there).see(Mode::Held, 20, there);
+  CHECK(story.kind() == EventKind::Moved);
+}
+
 TEST_CASE("EventMonitor: each kind has its name for logs", "[event_monitor]") {
   CHECK(rme::to_string(EventKind::Pushed) == std::string("pushed"));
   CHECK(rme::to_string(EventKind::Moved) == std::string("moved"));
