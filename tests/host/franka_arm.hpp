@@ -42,6 +42,8 @@ struct FrankaArm {
     state.m_load = load.mass;
     Eigen::Map<Eigen::Vector3d>(state.F_x_Cload.data()) = load.com;
     Eigen::Map<Eigen::Matrix3d>(state.I_load.data()) = load.inertia;
+    state.m_total = state.m_load;  // the hand is a part of the arm
+    state.F_x_Ctotal = state.F_x_Cload;
     Eigen::Map<Vector7>(state.q.data()) = arm.q();
     Eigen::Map<Vector7>(state.dq.data()) = arm.dq();
     const Vector7 reported = -observer.tau_ext();

@@ -1,5 +1,7 @@
 // Arms whose base does not stand upright: docs/embedding.md, "The base".
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <random>
 #include <rme/estimator.hpp>
@@ -18,15 +20,16 @@ const Payload<double> kKilogram{1, {0.03, -0.02, 0.12}};
 
 /// An arm that moves slowly, and is handed a kilogram after two seconds; the base has the orientation base(t).
 /// @param sample  callable (kinematics in base axes, base, external torque, time) -> sample
-/// @return the state after six seconds
+/// @return the state after so many seconds
 template <typename Base, typename Sample>
-EstimatorState<double> believed(const EstimatorConfig<double, 7>& config, Base&& base, Sample&& sample) {
+EstimatorState<double> believed(const EstimatorConfig<double, 7>& config, Base&& base, Sample&& sample,
+                                double seconds = 6) {
   std::mt19937 random(391);
   std::normal_distribution<double> noise(0, 0.02);
   const auto estimator = std::make_unique<Estimator<double, 7>>(kPeriod, config);
   Vector7 filtered = Vector7::Zero();
   bool started = false;
-  for (int k = 0; k < 6000; ++k) {
+  for (int k = 0; k < static_cast<int>(seconds / kPeriod); ++k) {
     const double t = k * kPeriod;
     Vector7 q = panda().ready, dq = Vector7::Zero();
     for (int j = 0; j < 7; ++j) {
@@ -80,6 +83,50 @@ TEST_CASE("A base that is tilted for good: tau_ext + g(true) - g(assumed), and t
   CHECK(mass_error(believed(config, base, corrected)) < 0.01);
   // Setting the gravity alone does not do it: the robot's model is still upright.
   CHECK_FALSE(mass_error(believed(config, base, reported)) < 0.05);
+}
+
+/// What is believed on a base that is tilted by an angle of which nobody knows.
+/// @param with_gravity_torque  whether the sample has the arm's gravity torque
+EstimatorState<double> believed_on_tilted_base(double angle, bool with_gravity_torque, double seconds) {
+  const Matrix3<double> tilt = tilted(angle);
+  examples::ArmModel<7> upright = panda(), true_model = panda();
+  true_model.gravity_vector = tilt.transpose() * standard_gravity<double>();
+  std::array<examples::ArmModel<7>, 3> along = {panda(), panda(), panda()};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    along[axis].gravity_vector = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axis));
+  EstimatorConfig<double, 7> config;
+  config.sensing = Sensing::LinkSide;
+  const auto base = [&](double) { return tilt; };
+  const auto sample = [&](const Vector7& q, const auto& at, const auto&, const Vector7& external) {
+    const Vector7 rest = Vector7::Zero();
+    Proprioception<double, 7> in{
+        Vector7(external + upright.dynamics(q, rest).gravity - true_model.dynamics(q, rest).gravity), at.jacobian,
+        at.rotation, rest};
+    if (!with_gravity_torque) return in;
+    in.gravity_torque.emplace();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      in.gravity_torque->col(static_cast<Eigen::Index>(axis)) = along[axis].dynamics(q, rest).gravity;
+    return in;
+  };
+  return believed(config, base, sample, seconds);
+}
+
+TEST_CASE("An unknown tilt of 3 degrees: with the arm's gravity torque in the sample, an empty hand is no disturbance",
+          "[host]") {
+  constexpr double kStillEmpty = 2;  // [s]
+  const EstimatorState<double> with = believed_on_tilted_base(0.052, true, kStillEmpty);
+  const EstimatorState<double> without = believed_on_tilted_base(0.052, false, kStillEmpty);
+  CAPTURE(with.health, without.health);
+  CHECK(with.empty());
+  CHECK(with.health < EstimatorState<double>::kHealthy);
+  CHECK(with.probability[Mode::Disturbed] < 0.01);
+  CHECK(without.health > 10);
+  CHECK(without.probability[Mode::Disturbed] > 0.99);
+}
+
+TEST_CASE("An unknown tilt of 2 degrees: with the arm's gravity torque in the sample, the kilogram is found",
+          "[host]") {
+  CHECK(mass_error(believed_on_tilted_base(0.035, true, 6)) < 0.02);
 }
 
 TEST_CASE("A base that tilts as it goes: with J and R in axes that are fixed to gravity, the kilogram is found",

@@ -48,6 +48,32 @@ struct FrankaHost : rme::testing::FrankaArm {
   double swing = 0;  // [rad]
 };
 
+TEST_CASE("franka_sample: the gravity torque along each axis is by how much g(q) changes with gravity along it",
+          "[host]") {
+  // Finite differences of gravity's direction and size, of the arm with the load that it was told of.
+  FrankaHost franka;
+  franka::Robot robot(franka.simulation());
+  const franka::Model model = robot.loadModel();
+  franka.load = unknown_kilogram();
+  const Proprioception<double, 7> sample = franka_sample(model, franka.read(), franka::Duration(1));
+  REQUIRE(sample.gravity_torque.has_value());
+  constexpr double kStep = 3;  // [m/s^2]; g is linear in gravity
+  for (int axis = 0; axis < 3; ++axis) {
+    CAPTURE(axis);
+    Vector difference = Vector::Zero();
+    for (const int side : {1, -1}) {
+      examples::ArmModel<7> arm = panda();
+      arm.gravity_vector[axis] += side * kStep;
+      difference += side * arm.dynamics(franka.arm.q(), Vector::Zero(), franka.load).gravity / (2 * kStep);
+    }
+    CHECK(difference.norm() > 0.1);
+    CHECK((sample.gravity_torque->col(axis) - difference).norm() < 1e-12);
+  }
+  // What franka_ros2 gives has no gravity torque along an axis.
+  const auto jacobian = model.zeroJacobian(franka::Frame::kEndEffector, franka.read());
+  CHECK_FALSE(franka_sample(jacobian, franka.read(), 0.001).gravity_torque.has_value());
+}
+
 TEST_CASE("franka_control: holds an unknown kilogram within 2 percent", "[host]") {
   FrankaHost franka;
   franka::Robot robot(franka.simulation());

@@ -88,6 +88,61 @@ TEST_CASE("PinocchioSensing: sees what a moving arm's own observer, Jacobian and
   }
 }
 
+TEST_CASE("PinocchioSensing: the gravity torque along each axis is by how much g(q) changes with gravity along it",
+          "[host]") {
+  // Finite differences of gravity's direction and size; g is linear in them, so that the step may be large.
+  constexpr double kStep = 3;  // [m/s^2]
+  rme::EstimatorConfig<double, 7> tilted;
+  tilted.gravity = {2, -3, -9};
+  Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
+  PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod, tilted);
+  rme::Proprioception<double, 7> sample;
+  for (int k = 0; k < 100; ++k) {
+    REQUIRE(sensing.update(arm.q(), arm.dq(), arm.tau_measured(), kPeriod, sample) == rme::Status::Ok);
+    arm.step(arm.dynamics().gravity);
+  }
+  REQUIRE(sensing.update(arm.q(), arm.dq(), arm.tau_measured(), kPeriod, sample) == rme::Status::Ok);
+  REQUIRE(sample.gravity_torque.has_value());
+  for (int axis = 0; axis < 3; ++axis) {
+    CAPTURE(axis);
+    Vector difference = Vector::Zero();
+    for (const int side : {1, -1}) {
+      rme::EstimatorConfig<double, 7> config = tilted;
+      config.gravity[axis] += side * kStep;
+      PinocchioSensing<7> other(panda_arm(), "panda_link8", kPeriod, config);
+      difference += side * other.gravity(arm.q()) / (2 * kStep);
+    }
+    CHECK(difference.norm() > (axis == 2 ? 1 : 0.1));
+    CHECK((sample.gravity_torque->col(axis) - difference).norm() < 1e-9);
+  }
+  CHECK((*sample.gravity_torque * tilted.gravity - sensing.gravity()).norm() < 1e-9);
+}
+
+TEST_CASE("PinocchioSensing: an external torque that the robot reports is passed on with J, R and G of the model",
+          "[host]") {
+  Arm arm(panda(), ArmConfig(), panda().ready, Vector::Constant(1));
+  PinocchioSensing<7> sensing(panda_arm(), "panda_link8", kPeriod), observing(panda_arm(), "panda_link8", kPeriod);
+  rme::Proprioception<double, 7> sample, expected;
+  const Vector tau_ext = Vector::LinSpaced(7, -3, 4);
+  REQUIRE(observing.update(arm.q(), arm.dq(), arm.tau_measured(), kPeriod, expected) == rme::Status::Ok);
+  REQUIRE(sensing.update_external(arm.q(), arm.dq(), tau_ext, 0.003, sample) == rme::Status::Ok);
+  CHECK((sample.tau_ext == tau_ext));
+  CHECK((sample.jacobian == expected.jacobian));
+  CHECK((sample.rotation == expected.rotation));
+  CHECK((*sample.gravity_torque == *expected.gravity_torque));
+  CHECK((sample.dq == arm.dq()));
+  CHECK(sample.period == 0.003);
+  CHECK((sensing.gravity() == observing.gravity()));
+  Vector spoilt = Vector::Zero();
+  spoilt[3] = std::numeric_limits<double>::quiet_NaN();
+  for (const int which : {0, 1, 2}) {
+    const Vector q = which == 0 ? spoilt : arm.q(), dq = which == 1 ? spoilt : arm.dq();
+    CHECK(sensing.update_external(q, dq, which == 2 ? spoilt : Vector(2 * tau_ext), kPeriod, sample) ==
+          rme::Status::NonFiniteInput);
+  }
+  CHECK((sample.tau_ext == tau_ext));
+}
+
 TEST_CASE("PinocchioSensing: takes ticks that were lost as time that passed", "[host]") {
   // An arm that falls, so that its momentum changes; three of four samples never arrive.
   Arm arm(panda(), ArmConfig(), panda().ready);
@@ -275,10 +330,11 @@ TEST_CASE("PinocchioSensing: allocates nothing in its loop", "[host]") {
   for (int k = 0; k < 100; ++k) {
     const int before = rme::testing::allocations();
     good += sensing.update(arm.q(), arm.dq(), arm.tau_measured(), k % 5 * kPeriod, sample) == rme::Status::Ok ? 1 : 0;
+    good += sensing.update_external(arm.q(), arm.dq(), arm.tau_ext(), kPeriod, sample) == rme::Status::Ok ? 1 : 0;
     allocated += rme::testing::allocations() - before;
     arm.step(arm.dynamics().gravity);
   }
-  CHECK(good == 100);
+  CHECK(good == 200);
   CHECK(allocated == 0);
 #else
   WARN("allocations are not counted here");

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <rme/core/status.hpp>
 #include <rme/core/types.hpp>
 #include <rme/estimator_config.hpp>
@@ -26,7 +27,7 @@ inline EstimatorConfig<double, 7> franka_config() {
   return config;
 }
 
-/// The estimator's input from a robot's state.
+/// The estimator's input from a robot's state; without the arm's gravity torque, which needs a franka::Model.
 /// @param jacobian  6x7 of the end effector in base axes, columns first, as libfranka's model and franka_ros2 give it
 /// @param state     of this tick
 /// @param period    measured [s]; 0 means the nominal period
@@ -47,7 +48,16 @@ inline Proprioception<double, 7> franka_sample(const std::array<double, 42>& jac
 /// @param period  of this call: more than a millisecond after lost packets; 0 in the first call
 inline Proprioception<double, 7> franka_sample(const franka::Model& model, const franka::RobotState& state,
                                                franka::Duration period) {
-  return franka_sample(model.zeroJacobian(franka::Frame::kEndEffector, state), state, period.toSec());
+  Proprioception<double, 7> sample =
+      franka_sample(model.zeroJacobian(franka::Frame::kEndEffector, state), state, period.toSec());
+  sample.gravity_torque.emplace();
+  for (int axis = 0; axis < 3; ++axis) {
+    std::array<double, 3> along{};
+    along[static_cast<std::size_t>(axis)] = 1;
+    const std::array<double, 7> torque = model.gravity(state, along);
+    sample.gravity_torque->col(axis) = Eigen::Map<const JointVector<double, 7>>(torque.data());
+  }
+  return sample;
 }
 
 /// Commands your controller's torques plus the compensation, until your controller finishes the motion.

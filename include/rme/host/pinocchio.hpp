@@ -117,11 +117,24 @@ class PinocchioSensing {
         observer_.update(torque, dq, mass_matrix_, coriolis_transpose_, data_.g, period > 0 ? period : period_);
     if (status != Status::Ok) return status;
     sample.tau_ext = sign_ * observer_.tau_ext();  // the estimator takes the same sign off again
-    sample.jacobian.setZero();
-    pinocchio::getFrameJacobian(model_, data_, end_effector_, pinocchio::LOCAL_WORLD_ALIGNED, sample.jacobian);
-    sample.rotation = pinocchio::updateFramePlacement(model_, data_, end_effector_).rotation();
-    sample.dq = dq;
-    sample.period = period;
+    describe(dq, period, sample);
+    return Status::Ok;
+  }
+  /// The same for a robot that reports its external torque itself, such as a KUKA iiwa: no observer runs, and
+  /// config.observer_bandwidth is that of the robot's filter.
+  /// @param q            joint positions [rad], one for each joint
+  /// @param dq           joint velocities [rad/s]
+  /// @param tau_ext      external joint torque, as the robot reports it [N m]
+  /// @param period       measured [s], or 0 for the nominal one
+  /// @param[out] sample  as it was unless the status is Ok
+  /// @return Ok or NonFiniteInput
+  Status update_external(const Vector& q, const Vector& dq, const Vector& tau_ext, double period,
+                         Proprioception<double, Dofs>& sample) {
+    if (!plausible(q) || !plausible(dq) || !plausible(tau_ext)) return Status::NonFiniteInput;
+    set_positions(q);
+    pinocchio::computeAllTerms(model_, data_, q_, dq);
+    sample.tau_ext = tau_ext;
+    describe(dq, period, sample);
     return Status::Ok;
   }
   /// Gravity torque at the last update(), for a controller that has no model of its own [N m].
@@ -146,6 +159,16 @@ class PinocchioSensing {
   }
 
  private:
+  /// What of a sample does not depend on the torque; after computeAllTerms().
+  void describe(const Vector& dq, double period, Proprioception<double, Dofs>& sample) {
+    sample.jacobian.setZero();
+    pinocchio::getFrameJacobian(model_, data_, end_effector_, pinocchio::LOCAL_WORLD_ALIGNED, sample.jacobian);
+    sample.rotation = pinocchio::updateFramePlacement(model_, data_, end_effector_).rotation();
+    sample.dq = dq;
+    sample.period = period;
+    // Gravity pulls at the common centre of mass c: g(q) = -m (dc/dq)^T gravity.
+    sample.gravity_torque = -data_.mass[0] * data_.Jcom.transpose();
+  }
   void set_positions(const Vector& q) {
     for (int i = 0; i < Dofs; ++i) {
       const auto joint = static_cast<std::size_t>(i) + 1;

@@ -31,10 +31,24 @@ class Model {
             .coriolis;
     return out;
   }
+  /// With the load that the robot was told of: the end effector's own mass is a part of the arm here.
+  std::array<double, 7> gravity(const RobotState& state, const std::array<double, 3>& gravity_earth) const noexcept {
+    using Vector = rme::JointVector<double, 7>;
+    rme::examples::ArmModel<7> arm = nameless_;
+    arm.gravity_vector = Eigen::Map<const Eigen::Vector3d>(gravity_earth.data());
+    const rme::examples::RigidBody load{state.m_total, Eigen::Map<const Eigen::Vector3d>(state.F_x_Ctotal.data()),
+                                        Eigen::Matrix3d::Zero()};
+    std::array<double, 7> out;
+    Eigen::Map<Vector>(out.data()) =
+        arm.dynamics(Eigen::Map<const Vector>(state.q.data()), Vector::Zero(), load).gravity;
+    return out;
+  }
 
  private:
-  friend class Robot;  // there, too, a model comes from a robot alone
-  Model() = default;
+  friend class Robot;                  // there, too, a model comes from a robot alone
+  Model() { nameless_.name.clear(); }  // so that a copy allocates nothing
+
+  rme::examples::ArmModel<7> nameless_ = rme::examples::panda();
 };
 
 inline Model Robot::loadModel() {

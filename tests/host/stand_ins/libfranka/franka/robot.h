@@ -37,6 +37,8 @@ struct RobotState {
   double m_load{};
   std::array<double, 9> I_load{};
   std::array<double, 3> F_x_Cload{};
+  double m_total{};
+  std::array<double, 3> F_x_Ctotal{};
   std::array<double, 7> q{};
   std::array<double, 7> dq{};
   std::array<double, 7> tau_ext_hat_filtered{};

@@ -12,18 +12,22 @@ const Eigen::MatrixXd& computeCoriolisMatrix(const Model& model, Data& data, con
   const auto dynamics = model.arm.dynamics(stand_in::angles(model, q), dq);
   const double vv = dq.squaredNorm();
   data.C.setZero();
-  if (vv > 0)
-    data.C.topLeftCorner<7, 7>().noalias() =
+  const Eigen::Index n = stand_in::joints_of_arm(model);
+  if (vv > 0) {
+    const Eigen::Matrix<double, 7, 7> C =
         (dynamics.coriolis * dq.transpose() + dq * dynamics.coriolis_transpose.transpose()) / vv -
         dq * (dq.dot(dynamics.coriolis) / (vv * vv)) * dq.transpose();
+    data.C.topLeftCorner(n, n) = C.topLeftCorner(n, n);
+  }
   return data.C;
 }
 
 /// g, which is data.g as well.
 template <typename Q>
 const Eigen::VectorXd& computeGeneralizedGravity(const Model& model, Data& data, const Eigen::MatrixBase<Q>& q) {
-  data.g.head<7>() =
-      stand_in::arm_of(model).dynamics(stand_in::angles(model, q), Eigen::Matrix<double, 7, 1>::Zero()).gravity;
+  const Eigen::Index n = stand_in::joints_of_arm(model);
+  data.g.head(n) =
+      stand_in::arm_of(model).dynamics(stand_in::angles(model, q), Eigen::Matrix<double, 7, 1>::Zero()).gravity.head(n);
   return data.g;
 }
 

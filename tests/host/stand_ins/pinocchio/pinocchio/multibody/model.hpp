@@ -1,8 +1,9 @@
 #pragma once
 // As much of Pinocchio as the hosts use, by its names and signatures, each function in the header that it has there.
-// The robot of any URDF is a Panda, with a hand's two fingers if its text names them. What the real functions leave
-// alone holds NaN here; what they refuse throws, and so does what they would read out of bounds.
+// Which robot a URDF means is told by its joints' names (parsers/urdf.hpp). What the real functions leave alone holds
+// NaN here; what they refuse throws, and so does what they would read out of bounds.
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -63,12 +64,6 @@ struct Frame {
   FrameType type = BODY;
 };
 
-inline rme::examples::ArmModel<7> nameless_panda() {
-  rme::examples::ArmModel<7> arm = rme::examples::panda();
-  arm.name.clear();
-  return arm;
-}
-
 struct Model {
   int nq = 0, nv = 0, njoints = 1, nframes = 0;
   std::vector<std::string> names = {"universe"};
@@ -76,7 +71,8 @@ struct Model {
   std::vector<Inertia> inertias = {Inertia(0, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero())};
   std::vector<Frame> frames;
   Motion gravity;
-  rme::examples::ArmModel<7> arm = nameless_panda();  // not Pinocchio's
+  rme::examples::ArmModel<7>
+      arm{};  // not Pinocchio's; if the robot has six joints, with a seventh that carries nothing
 
   bool existFrame(const std::string& name) const {
     for (const Frame& frame : frames)
@@ -116,12 +112,16 @@ struct Data {
       : M(nowhere(model.nv, model.nv)),
         C(nowhere(model.nv, model.nv)),
         g(nowhere(model.nv, 1)),
+        Jcom(nowhere(3, model.nv)),
+        mass(static_cast<std::size_t>(model.njoints), std::numeric_limits<double>::quiet_NaN()),
         oMf(model.frames.size()) {}
   static Eigen::MatrixXd nowhere(int rows, int columns) {
     return Eigen::MatrixXd::Constant(rows, columns, std::numeric_limits<double>::quiet_NaN());
   }
   Eigen::MatrixXd M, C;
   Eigen::VectorXd g;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> Jcom;
+  std::vector<double> mass;
   std::vector<SE3> oMf;
   rme::examples::Kinematics<7> flange;  // not Pinocchio's: what stands for its joint placements and Jacobians
 };
@@ -154,6 +154,11 @@ Eigen::Matrix<double, 7, 1> of_arm(const Eigen::MatrixBase<Vector>& v) {
   Eigen::Matrix<double, 7, 1> out = Eigen::Matrix<double, 7, 1>::Zero();
   for (Eigen::Index i = 0; i < 7 && i < v.size(); ++i) out[i] = v[i];
   return out;
+}
+
+/// How many of the model's joints are the arm's.
+inline Eigen::Index joints_of_arm(const Model& model) {
+  return std::min(7, model.nv);
 }
 
 inline rme::examples::ArmModel<7> arm_of(const Model& model) {
