@@ -102,8 +102,12 @@ class ObjectCatalogue {
   /// @throws std::invalid_argument naming the object and what is wrong; the catalogue is then as it was
   int add(std::string_view name, const PayloadGaussian<Scalar>& payload, Scalar weight = Scalar(1));
   /// Adds an object of which only the mass is known; its centre of mass is as uncertain as that of an unknown one.
+  /// @param name       as above
   /// @param mass       [kg], > 0
   /// @param deviation  standard deviation of the mass [kg], >= 0
+  /// @param weight     as above
+  /// @return index of the object
+  /// @throws std::invalid_argument as above
   int add(std::string_view name, Scalar mass, Scalar deviation, Scalar weight = Scalar(1));
 
   int size() const noexcept { return size_; }  ///< number of objects
