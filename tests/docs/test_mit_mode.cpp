@@ -19,7 +19,7 @@ using rme::examples::light_arm;
 using rme::examples::RigidBody;
 using Vector = rme::JointVector<double, 7>;
 
-constexpr double kMotorPeriod = 1e-3, kPeriod = 2e-3;  // of the motors' own loop, and of the bus [s]
+constexpr double kPeriod = 2e-3;  // of the bus; the motors compute their torque twice as often [s]
 
 /// As a motor's answer has it: a whole number of `bits` bits for what lies between -limit and limit.
 double through_bus(double value, double limit, int bits) {
