@@ -194,8 +194,9 @@ int ObjectCatalogue<Scalar, Capacity>::add(std::string_view name, const PayloadG
   const Matrix V = payload.covariance.template cast<double>();
   const Vector theta = payload.mean.template cast<double>();
   Matrix scaled = Matrix::Identity();  // the correlations, since kg and m have no common scale
+  const bool finite = plausible(V);
   for (int i = 0; i < 4; ++i)
-    require(V(i, i) >= 0 && plausible(V), "covariance", "finite, with a diagonal >= 0", payload.covariance(i, i));
+    require(V(i, i) >= 0 && finite, "covariance", "finite, with a diagonal >= 0", payload.covariance(i, i));
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
       const double scale = std::sqrt(V(i, i) * V(j, j));
@@ -304,15 +305,15 @@ auto ObjectCatalogue<Scalar, Capacity>::identify(const EstimatorState<Scalar>& s
   const double none = log_evidence(evidence, evidence.prior_mean, detail::product(L, Matrix(L.transpose())));
   double all = 0;
   for (int i = 0; i < size_; ++i) all += at(i).weight;
-  const double known = 1 - static_cast<double>(config_.unknown_share);
+  const double other = size_ > 0 ? static_cast<double>(config_.unknown_share) : 1;
   // Odds against an unknown object, limited so that no sum overflows.
   std::array<double, static_cast<std::size_t>(Capacity)> odds{};
   const double steady = std::max(0.0, held - changing);
-  double total = (1 - held) + steady * (size_ > 0 ? 1 - known : 1);
+  double total = (1 - held) + steady * other;
   for (int i = 0; i < size_; ++i) {
     const double log_factor = log_evidence(evidence, at(i).mean, at(i).covariance) - none;
     double& share = odds[static_cast<std::size_t>(i)];
-    share = steady * known * at(i).weight / all * std::exp(std::min(500.0, log_factor));
+    share = steady * (1 - other) * at(i).weight / all * std::exp(std::min(500.0, log_factor));
     total += share;
   }
   // While the payload changes, the answers share what remains.
@@ -320,7 +321,7 @@ auto ObjectCatalogue<Scalar, Capacity>::identify(const EstimatorState<Scalar>& s
   const double scale = total > 0 ? (1 - between) / total : 0;
   answer.changing = static_cast<Scalar>(total > 0 ? between : 1);
   answer.nothing = static_cast<Scalar>(scale * (1 - held));
-  answer.unknown = static_cast<Scalar>(scale * steady * (size_ > 0 ? 1 - known : 1));
+  answer.unknown = static_cast<Scalar>(scale * steady * other);
   for (std::size_t i = 0; i < odds.size(); ++i) answer.object[i] = static_cast<Scalar>(scale * odds[i]);
   decide(answer);
   return answer;

@@ -76,7 +76,7 @@ class EventMonitor {
     const bool settled = empty || steady;
     if (!changing_) {
       if (settled && empty == was_empty_) {
-        // A block that may belong to a change already is a mixture of the payloads before and after it.
+        // The payload of a block that may belong to an event already is a mixture of those before and after it.
         if (probability[likeliest] > Scalar(kSure)) before_ = payload;
         return;
       }
@@ -113,9 +113,7 @@ class EventMonitor {
  private:
   static constexpr double kQuiet = 0.1;  // how long Empty or Held has to be likeliest at the end of an event [s]
   static constexpr double kKnown = 0.4;  // how long after a change the event is over in any case [s]
-
-  static constexpr double kSure =
-      0.9;  // probability of Empty or Held from which the payload is the one before an event
+  static constexpr double kSure = 0.9;   // probability of Empty or Held below which a block may belong to an event
   // A centre of mass that is this near is the same [m], and so is one whose distance, squared and in standard deviations,
   // is not above kUnlike: three numbers exceed it as rarely as one number exceeds three standard deviations.
   static constexpr double kNear = 0.01, kUnlike = 14.16;
