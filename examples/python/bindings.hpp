@@ -76,11 +76,16 @@ struct State {
 using Config = EstimatorConfig<double, Eigen::Dynamic>;
 /// The settings of a Python EstimatorConfig.
 Config config_of(py::handle python);
+/// A Python PayloadPrior; for None, that of the default settings.
+/// @param field  what it is, e.g. "ObjectCatalogue: unknown"
+/// @throws TypeError if it is none
+PayloadPrior<double> payload_prior_of(py::handle python, const char* field);
 
 void bind_enums(py::module_& module);
 void bind_settings(py::module_& module);
 void bind_state(py::module_& module);
 void bind_estimator(py::module_& module);
 void bind_host_parts(py::module_& module);  // host_parts.cpp: the ramp and the observer
+void bind_catalogue(py::module_& module);
 
 }  // namespace rme::python

@@ -1,5 +1,6 @@
 // The Python module `rme`: the estimator for a number of joints known at run time, its settings and its state, the
-// compensation ramp and the momentum observer.
+// compensation ramp, the momentum observer and the catalogue of known objects.
+#include <rme/host/object_catalogue.hpp>
 #include <rme/version.hpp>
 #include <stdexcept>
 #include <utility>
@@ -75,6 +76,15 @@ void bind_enums(py::module_& module) {
        {"Filling", EventKind::Filling},
        {"Pushed", EventKind::Pushed},
        {"Moved", EventKind::Moved}});
+  PythonEnum<Holding>::define(
+      module, "Holding",
+      "What an ObjectCatalogue can say of a hand.\n\n"
+      "CannotTell: no answer is probable enough, or the payload changes just now. Nothing: the hand\n"
+      "is empty. Known: it holds one of the objects. Unknown: something that is none of them.",
+      {{"CannotTell", Holding::CannotTell},
+       {"Nothing", Holding::Nothing},
+       {"Known", Holding::Known},
+       {"Unknown", Holding::Unknown}});
 }
 
 }  // namespace rme::python
@@ -100,4 +110,5 @@ PYBIND11_MODULE(rme, module) {
   bind_state(module);
   bind_estimator(module);
   bind_host_parts(module);
+  bind_catalogue(module);
 }

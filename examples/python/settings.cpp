@@ -186,6 +186,12 @@ Config config_of(py::handle python) {
   return complete(python.cast<const PythonConfig&>());
 }
 
+PayloadPrior<double> payload_prior_of(py::handle python, const char* field) {
+  if (python.is_none()) return PayloadPrior<double>::of(Config().rated_payload);
+  require_type<PythonPayloadPrior>(python, field);
+  return *python.cast<const PythonPayloadPrior&>().values;
+}
+
 void bind_settings(py::module_& module) {
   bind_priors(module);
   py::class_<PythonConfig> config(

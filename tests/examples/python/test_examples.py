@@ -72,16 +72,16 @@ else:
 # The guide: each block is marked as a copy or as code that runs, and is that.
 guide = (root / "docs" / "python.md").read_text(encoding="utf-8")
 blocks = re.findall(r"(?:<!-- snippet: (\S+) -->\n)?```python\n(.*?)```", guide, re.DOTALL)
-assert len(blocks) == guide.count("```python") == 4
+assert len(blocks) == guide.count("```python") == 5
 defined = {}
 for name, code in blocks:
     assert name, f"a block that nothing checks:\n{code}"
     if "/" in name:
         assert code in (root / name).read_text(encoding="utf-8"), f"{name} has other lines than docs/python.md"
     else:
-        defined[name] = {"np": np, "rme": rme, "synthetic_arm": synthetic_arm}
+        defined[name] = {"np": np, "rme": rme, "synthetic_arm": synthetic_arm, "estimator": rme.Estimator(7, 0.001)}
         exec(compile(code, name, "exec"), defined[name])
-assert set(defined) == {"observer", "observation"}
+assert set(defined) == {"observer", "observation", "catalogue"}
 
 arm = synthetic_arm.Panda(noise=False)
 controller = synthetic_arm.PoseImpedance(arm)
@@ -94,4 +94,7 @@ for _ in range(500):
 assert np.allclose(seen, arm.tau_ext, atol=0.02), (seen, arm.tau_ext)
 seen = defined["observation"]["observation"](estimator.state)
 assert seen.shape == (13,) and abs(seen[0] - 0.8) < 0.02 and seen.flags.owndata
+known = defined["catalogue"]
+assert known["catalogue"].names == ["cup", "drill"] and known["held"].nothing > 0.9 and known["held"].name is None
+assert known["catalogue"].identify(estimator.state).holding is rme.Holding.Unknown
 print("ok")

@@ -196,6 +196,36 @@ estimator.in_contact(False)
 fed(estimator, 500)
 assert abs(estimator.state.payload.mean[0] - 1) < 0.02
 
+# Which object is in the hand.
+catalogue = rme.ObjectCatalogue(rme.PayloadPrior.of(3), certain=0.95)
+empty = rme.Estimator(7, 0.001).state
+assert catalogue.identify(empty).likeliest is None and catalogue.names == []
+cup = rme.PayloadGaussian.independent([1, 0.02, 0, 0.1], [0.02, 0.01, 0.01, 0.01])
+assert catalogue.add("cup", cup) == 0 and catalogue.add_mass("drill", 1.3, 0.02, weight=2) == 1
+assert catalogue.names == ["cup", "drill"]
+for estimator, holding, name in [(fed(rme.Estimator(7, 0.001), 1000), rme.Holding.Known, "cup"),
+                                 (fed(rme.Estimator(7, 0.001), 1000, mass=1.3), rme.Holding.Known, "drill"),
+                                 (fed(rme.Estimator(7, 0.001), 1000, mass=2), rme.Holding.Unknown, None)]:
+    held = catalogue.identify(estimator.state)
+    assert held.holding is holding and held.name == name, (held, held.object, held.unknown)
+    assert held.object.shape == (2,) and abs(held.object.sum() + held.unknown + held.nothing + held.changing - 1) < 1e-9
+    assert name is None or held.likeliest == name
+    assert repr(held) == ("HeldObject(unknown)" if name is None else f"HeldObject({name!r})")
+assert catalogue.identify(empty.copy()).holding is rme.Holding.Nothing and catalogue.identify(empty).name is None
+raises(ValueError, 'ObjectCatalogue.add("cup"): an object of this name is already there', catalogue.add, "cup", cup)
+raises(ValueError, 'ObjectCatalogue.add("nut"): mass: expected > 0 kg', catalogue.add_mass, "nut", 0, 0.01)
+raises(ValueError, "standard deviation of the mass: expected >= 0 kg, got -1.0", catalogue.add_mass, "nut", 1, -1)
+raises(TypeError, "ObjectCatalogue.add: payload: expected PayloadGaussian, got float", catalogue.add, "nut", 0.1)
+raises(TypeError, "ObjectCatalogue.add: weight: expected a number, got str", catalogue.add, "nut", cup, "1")
+raises(TypeError, "ObjectCatalogue.identify: state: expected EstimatorState, got Estimator", catalogue.identify, estimator)
+raises(TypeError, "ObjectCatalogue: unknown: expected PayloadPrior or None, got int", rme.ObjectCatalogue, 3)
+raises(ValueError, "ObjectCatalogueConfig.certain: expected 0.5 to below 1, got 1.0", rme.ObjectCatalogue, certain=1)
+assert catalogue.names == ["cup", "drill"], "what is refused changes nothing"
+for k in range(62):
+    catalogue.add_mass(str(k), 1 + k, 0.01)
+raises(ValueError, "there is room for 64 objects only", catalogue.add_mass, "65", 1, 0.1)
+assert catalogue.identify(estimator.state).object.shape == (64,)
+
 
 # Two threads, each with an estimator of its own, do not disturb each other.
 def work(results, i):
