@@ -67,6 +67,7 @@ Samples<Dofs> samples_of(const Log<Dofs>& log, const RecordedArm<Dofs>& arm,
     Proprioception<double, Dofs> sample;
     sample.jacobian = pose.jacobian;
     sample.rotation = pose.rotation;
+    sample.compensation = Vector::Zero();  // whatever the robot was commanded then did not follow from this estimate
     if (i > 0) sample.period = log.t[i] - log.t[out.row.back()];
     if (!log.dq.empty())
       sample.dq = log.dq[i];
