@@ -3,7 +3,7 @@
 namespace rme {
 
 template class StarGaussian<double, 7>;
-template class Disturbance<double, 7>;
+template struct Disturbance<double, 7>;
 template class JointTorqueModel<double, 7>;
 template class BlockAverager<double, 7>;
 template class Histories<double, 7>;

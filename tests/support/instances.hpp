@@ -6,7 +6,7 @@
 namespace rme {
 
 extern template class StarGaussian<double, 7>;
-extern template class Disturbance<double, 7>;
+extern template struct Disturbance<double, 7>;
 extern template class JointTorqueModel<double, 7>;
 extern template class BlockAverager<double, 7>;
 extern template class Histories<double, 7>;

@@ -38,6 +38,7 @@ class EnumeratedStories {
   using H = Histories<double, Dofs>;
   using Tale = Story<double, Dofs>;
   using Model = JointTorqueModel<double, Dofs>;
+  using Acts = Disturbance<double, Dofs>;
 
   EnumeratedStories(const H& fresh, const PayloadPrior<double>& prior, double rated, bool adds_up)
       : prior_(prior), rated_(rated), adds_up_(adds_up) {
@@ -65,11 +66,12 @@ class EnumeratedStories {
     const SensingKind& kind = model.kind();
     const double c = kind.change;
     const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false,
-                           bool quick = false, bool late = false, bool turned = false, bool never = false) {
-      const bool same = mode == p.mode && !anew && (mode != Mode::Disturbed || how == p.how) &&
+                           bool quick = false, bool late = false, bool turned = false, bool never = false,
+                           bool soft = false) {
+      const bool same = mode == p.mode && !anew && !soft && (mode != Mode::Disturbed || how == p.how) &&
                         (mode != Mode::Pouring || quick == p.quick);
       if (same == goes_on && probability > 0)
-        add(take_in(model, p, mode, how, anew, quick, late, turned, never, std::log(probability)));
+        add(take_in(model, p, mode, how, anew, quick, late, turned, never, soft, std::log(probability)));
     };
     const auto disturb = [&] {
       child(Mode::Disturbed, Transitions::kDisturbs);
@@ -77,9 +79,10 @@ class EnumeratedStories {
     };
     if (p.mode == Mode::Empty || p.mode == Mode::Held) {
       const double pours = (p.mode == Mode::Empty ? Transitions::kFills : Transitions::kPours) * kind.slowly;
+      const double touches = Transitions::kTouches * kind.slowly;
       const double never = p.mode == Mode::Held && p.log_none ? 0.3 * c : 0;
       child(p.mode, 1 - (p.mode == Mode::Held ? 1.6 : 1.3) * c - never - Transitions::kDisturbs - kind.jolt - pours -
-                        (p.mode == Mode::Empty ? kind.takes_up : 0));
+                        touches - (p.mode == Mode::Empty ? kind.takes_up : 0));
       child(Mode::Changing, c);
       child(Mode::Held, 0.3 * c, Disturbing::Hand, true);
       if (p.mode == Mode::Held) child(Mode::Empty, 0.3 * c);
@@ -87,7 +90,11 @@ class EnumeratedStories {
         child(Mode::Empty, Transitions::kSlow * never, Disturbing::Hand, false, false, false, false, true);
       disturb();
       if (p.mode == Mode::Empty) child(Mode::Pouring, kind.takes_up, Disturbing::Hand, false, true);
-      if (blocks_ % Transitions::kSlow == 0) child(Mode::Pouring, Transitions::kSlow * pours);
+      if (blocks_ % Transitions::kSlow == 0) {
+        child(Mode::Pouring, Transitions::kSlow * pours);
+        child(Mode::Disturbed, Transitions::kSlow * touches, Disturbing::Growing, false, false, false, false, false,
+              true);
+      }
     } else if (p.mode == Mode::Pouring) {
       const double ends = p.quick ? Transitions::kQuickEnds : Transitions::kPourEnds;
       child(Mode::Pouring, 1 - ends - c - Transitions::kDisturbs - kind.jolt, Disturbing::Hand, false, p.quick);
@@ -124,7 +131,7 @@ class EnumeratedStories {
   }
 
   Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, bool quick, bool late,
-               bool turned, bool never, double log_transition) {
+               bool turned, bool never, bool soft, double log_transition) {
     Tale child = parent;
     child.mode = mode;
     child.how = how;
@@ -133,7 +140,7 @@ class EnumeratedStories {
     if (parent.mode == Mode::Pouring && mode != Mode::Pouring) child.star.end_pour();
     child.log_weight += log_transition + (turned  ? turn(model, parent, child)
                                           : never ? nothing(model, child)
-                                                  : likelihood(model, parent, child, anew, late));
+                                                  : likelihood(model, parent, child, anew, late, soft));
     return child;
   }
   /// There has been no payload since this one was drawn: what the joints' torques say of it, and its prior, at zero.
@@ -147,33 +154,35 @@ class EnumeratedStories {
   /// The wrench has been a payload all along.
   double turn(const Model& model, const Tale& parent, Tale& child) {
     auto star = child.star;
-    auto wrench = parent.disturbance;
     double squared;
-    wrench.predict(parent.how, model.block().duration, rated_);
-    const double out = wrench.observe(model, star, parent.how, std::log(model.kind().jolt), rated_, squared) +
-                       wrench.weigh(model, child.star, prior_, rated_);
+    Acts::predict(model, star, parent.how, rated_);
+    const double goes_on = Acts::observe(model, star, parent.how, std::log(model.kind().jolt), rated_, squared);
+    const double weighed = Acts::weigh(model, star, prior_, rated_);
+    const double out = goes_on + (parent.soft ? std::min(0.0, weighed) : weighed);
+    child.star.end_wrench();
     child.payload = child.next++;
     draw(model, child.star);
     child.log_plausible = plausible(child.star);
     child.log_none.reset();
     return out + child.log_plausible;
   }
-  double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew, bool late) {
+  double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew, bool late, bool soft) {
     const double duration = model.block().duration;
     double squared;  // of no use here
     if (child.mode == Mode::Disturbed) {
-      if (parent.mode == Mode::Disturbed && parent.how != Disturbing::Jolt)
-        child.disturbance.predict(child.how, duration, rated_);
-      else
-        child.disturbance.begin(rated_);
-      return child.disturbance.observe(model, child.star, child.how, std::log(model.kind().jolt), rated_, squared);
+      if (parent.mode == Mode::Disturbed && parent.how != Disturbing::Jolt) {
+        Acts::predict(model, child.star, child.how, rated_);
+      } else if (child.how != Disturbing::Jolt) {
+        child.soft = soft;
+        Acts::begin(child.star, rated_, soft);
+      }
+      return Acts::observe(model, child.star, child.how, std::log(model.kind().jolt), rated_, squared);
     }
+    child.star.end_wrench();
     if (child.mode == Mode::Changing) {
       auto star = child.star;
       if (model.kind().draws) return draw(model, star) + plausible(star);
-      Disturbance<double, Dofs> anything;
-      anything.begin(rated_);
-      return anything.observe(model, star, Disturbing::Hand, -std::numeric_limits<double>::infinity(), rated_, squared);
+      return Acts::anything(model, star, rated_, squared);
     }
     if (child.mode == Mode::Empty) {
       if (parent.payload != 0) model.unload(child.star, parent.star.payload_mean());

@@ -8,11 +8,14 @@
 
 #include "support/catch.hpp"
 #include "support/linear_algebra.hpp"
+#include "tracking/dense_star.hpp"
 
 namespace {
 
 using oracle::Matrix;
 using oracle::Vector;
+using rme::kActing;
+using rme::kAnswer;
 using rme::kArmShared;
 using rme::kInertial;
 using rme::kJointNuisances;
@@ -20,6 +23,7 @@ using rme::kPayload;
 using rme::kPoured;
 using rme::kShared;
 using rme::kTool;
+using rme::kWrench;
 constexpr int kJoints = 3;
 constexpr int kAll = kShared + kJoints * kJointNuisances;
 using Star = rme::StarGaussian<double, kJoints>;
@@ -50,59 +54,29 @@ Star random_star(std::mt19937& random) {
             oracle::square(oracle::random_matrix(random, 4, 4)));
   for (int j = 0; j < kJoints; ++j) {
     star.joint(j).mean = random_vector(random, kJointNuisances);
-    star.joint(j).slope = oracle::random_matrix(random, kShared, kJointNuisances);
+    star.joint(j).slope.topRows<rme::kPouredShared>() =
+        oracle::random_matrix(random, rme::kPouredShared, kJointNuisances);
     star.joint(j).covariance = oracle::square(oracle::random_matrix(random, kJointNuisances, kJointNuisances));
   }
   for (int k = 0; k < 9; ++k) star.observe(k % kJoints, star.predict(k % kJoints, random_observation(random)));
   return star;
 }
 
-/// The same Gaussian over all of (x, beta_1 .. beta_n), by the definition of a star.
-struct Dense {
-  Vector mean;
-  Matrix covariance;
-};
+using Dense = oracle::DenseStar<kJoints>;
+/// The same Gaussian, dense.
 Dense dense(const Star& star) {
-  // (x, beta) = T (x, beta - E[beta | x]) + constant, and the latter two are independent.
-  Matrix T = Matrix::Identity(kAll, kAll), blocks = Matrix::Zero(kAll, kAll);
-  Vector constant = Vector::Zero(kAll), x = Vector::Zero(kAll);
-  blocks.topLeftCorner(kShared, kShared) = star.covariance();
-  for (int j = 0; j < kJoints; ++j) {
-    T.block(first(j), 0, kJointNuisances, kShared) = star.joint(j).slope.transpose();
-    blocks.block(first(j), first(j), kJointNuisances, kJointNuisances) = star.joint(j).covariance;
-    constant.segment(first(j), kJointNuisances) = star.joint(j).mean;
-  }
-  x.head(kShared) = star.mean();
-  return {oracle::product(T, x) + constant, oracle::congruence(T, blocks)};
+  return Dense::of(star);
 }
 
 /// A linear map of everything.
 Dense mapped(const Matrix& T, const Dense& d) {
-  return {oracle::product(T, d.mean), oracle::congruence(T, d.covariance)};
+  return d.mapped(T);
 }
 /// T that leaves the hand empty.
 Matrix emptying() {
   Matrix T = Matrix::Identity(kAll, kAll);
   for (int i = kArmShared; i < kShared; ++i) T(i, i) = 0;
   return T;
-}
-
-/// Largest difference of two Gaussians in what a star holds: x and each pair (x, beta_j), but not two joints'
-/// nuisances. Relative to the deviations; infinite if one of them is not finite.
-double difference(const Dense& a, const Dense& b) {
-  for (const Dense* d : {&a, &b})
-    if (!d->mean.allFinite() || !d->covariance.allFinite()) return std::numeric_limits<double>::infinity();
-  const Vector scale = b.covariance.diagonal().cwiseMax(1e-300).cwiseSqrt();
-  double worst = 0;
-  for (int i = 0; i < kAll; ++i) {
-    worst = std::max(worst, std::abs(a.mean[i] - b.mean[i]) / scale[i]);
-    for (int k = 0; k < kAll; ++k) {
-      const bool own =
-          i < kShared || k < kShared || (i - first(0)) / kJointNuisances == (k - first(0)) / kJointNuisances;
-      if (own) worst = std::max(worst, std::abs(a.covariance(i, k) - b.covariance(i, k)) / (scale[i] * scale[k]));
-    }
-  }
-  return worst;
 }
 
 TEST_CASE("StarGaussian: three hundred updates give what one dense batch solution of the whole trajectory gives",
@@ -210,9 +184,7 @@ TEST_CASE("StarGaussian: predict says what the dense Gaussian says of an observa
     const auto [mean, covariance] = dense(star);
     const int j = k % kJoints;
     const auto o = random_observation(random);
-    Vector row = Vector::Zero(kAll);
-    row.head(kShared) = o.h;
-    row.segment(first(j), kJointNuisances) = o.c;
+    const Vector row = Dense::row(j, o);
     const auto p = star.predict(j, o);
     const Vector shared = (covariance * row).head(kShared);
     CHECK(p.innovation == Approx(o.torque - row.dot(mean)).epsilon(1e-12));
@@ -430,6 +402,60 @@ TEST_CASE("StarGaussian: what is poured at a rate takes along what is known of b
   }
 }
 
+TEST_CASE("StarGaussian: a wrench that begins, changes and ends is that of the dense Gaussian", "[star]") {
+  using Acting = Eigen::Matrix<double, kActing, 1>;
+  const unsigned seed = 515;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (int k = 0; k < 20; ++k) {
+    CAPTURE(k);
+    Star star = random_star(random);
+    star.end_pour();
+    if (k % 4 == 3) star.forget_payload();
+    const bool empty = star.empty();
+    const Acting mean = random_vector(random, kActing), variance = random_vector(random, kActing).cwiseAbs2();
+    Dense expected = dense(star);
+    expected.mean.segment<kActing>(kWrench) = mean;
+    expected.covariance.block<kActing, kActing>(kWrench, kWrench) = variance.asDiagonal();
+    CHECK_FALSE(star.acts());
+    star.begin_wrench(mean, variance);
+    CHECK(star.acts());
+    CHECK(difference(dense(star), expected) < 1e-9);
+    CHECK(star.empty() == empty);
+    // Measurements make everything depend on it.
+    for (int i = 0; i < 6; ++i) star.observe(i % kJoints, star.predict(i % kJoints, random_observation(random)));
+    const Dense before = dense(star);
+    CHECK((star.wrench_mean() - before.mean.segment<kActing>(kWrench)).norm() < 1e-12);
+    CHECK((star.wrench_covariance() - before.covariance.block<kActing, kActing>(kWrench, kWrench)).norm() < 1e-12);
+    CHECK(star.mass() == before.mean[kPayload]);
+    const rme::Vector6<double> change = random_vector(random, 6), answer = random_vector(random, 6);
+    // Noise of full rank, in one direction alone, none, or no number.
+    const Matrix L = oracle::random_matrix(random, 6, k % 2 == 0 ? 6 : 1);
+    Eigen::Matrix<double, 6, 6> Q = oracle::square(L);
+    if (k % 5 == 4) Q.setZero();
+    Matrix T = Matrix::Identity(kAll, kAll);
+    T.block<6, 1>(kWrench, kAnswer) = answer;
+    expected = mapped(T, before);
+    expected.mean.segment<6>(kWrench) += change;
+    Dense without = expected;
+    expected.covariance.block<6, 6>(kWrench, kWrench) += Q;
+    Star spoilt = star;
+    star.disturb(change, answer, Q);
+    CHECK(difference(dense(star), expected) < 1e-9);
+    spoilt.disturb(change, answer, Eigen::Matrix<double, 6, 6>::Constant(std::nan("")));
+    CHECK(difference(dense(spoilt), without) < 1e-9);
+    // It ends; twice is once.
+    T.setIdentity();
+    for (int i = kWrench; i < kShared; ++i) T(i, i) = 0;
+    star.end_wrench();
+    CHECK(difference(dense(star), mapped(T, expected)) < 1e-9);
+    CHECK(star.empty() == empty);
+    const Dense ended = dense(star);
+    star.end_wrench();
+    CHECK(difference(dense(star), ended) == 0);
+  }
+}
+
 TEST_CASE("StarGaussian: an empty hand stays empty, and what it learns of the arm is what a dense batch learns",
           "[star]") {
   const unsigned seed = 520;
@@ -441,9 +467,7 @@ TEST_CASE("StarGaussian: an empty hand stays empty, and what it learns of the ar
     const int j = k % kJoints;
     const auto o = random_observation(random);
     const Dense before = dense(star);
-    Vector row = Vector::Zero(kAll);
-    row.head(kShared) = o.h;
-    row.segment(first(j), kJointNuisances) = o.c;
+    const Vector row = Dense::row(j, o);
     const Vector gain = before.covariance * row / (row.dot(before.covariance * row) + o.noise);
     star.observe(j, star.predict(j, o));
     const Dense after{before.mean + gain * (o.torque - row.dot(before.mean)),
@@ -451,9 +475,10 @@ TEST_CASE("StarGaussian: an empty hand stays empty, and what it learns of the ar
     for (int i = 0; i < kArmShared; ++i) CHECK(star.mean()[i] == Approx(after.mean[i]).margin(1e-12));
     CHECK((star.nuisance_mean(j) - after.mean.segment<kJointNuisances>(first(j))).norm() < 1e-11);
     CHECK((star.covariance() - after.covariance.topLeftCorner<kShared, kShared>()).norm() < 1e-11);
-    CHECK(star.mean().tail<kInertial>().isZero(0));
-    CHECK(star.covariance().bottomRows<kInertial>().isZero(0));
-    CHECK(star.joint(j).slope.bottomRows<kInertial>().isZero(0));
+    constexpr int kRest = kShared - kArmShared;
+    CHECK(star.mean().tail<kRest>().isZero(0));
+    CHECK(star.covariance().bottomRows<kRest>().isZero(0));
+    CHECK(star.joint(j).slope.bottomRows<kRest>().isZero(0));
   }
 }
 

@@ -23,138 +23,134 @@ enum class Disturbing : std::uint8_t {
   Jolt,     ///< single joints are shaken, anew in each block
 };
 
-/// A Gaussian over the wrench of a disturbance, w: force [N] and moment [N m] about the end-effector origin, world axes.
-/// The torque of a block is then the payload's and the arm's, plus J^T w, plus, for a jolt, an independent torque on
-/// each joint (docs/theory.md (T43)). The payload is not learned from such a block. The arm's nuisances are, given the
-/// wrench. How large a jolt is, is not known: single samples may be a hundred times as large as any wrench. Real time: nothing allocates.
+/// What a wrench at the tip does to a story's filter (docs/theory.md (T43)). The torque of a block is the payload's and the
+/// arm's, plus J^T w, plus, for a jolt, an independent torque on each joint. The wrench is part of the filter's state, so
+/// that what one block shows of it, of the payload and of the arm is known jointly ever after. How large a jolt is, is not
+/// known: single samples may be a hundred times as large as any wrench. Real time: nothing allocates.
 template <typename Scalar, int Dofs>
-class Disturbance {
- public:
-  using Star = StarGaussian<Scalar, Dofs>;       ///< state of the filter
-  using Model = JointTorqueModel<Scalar, Dofs>;  ///< model of the arm
+struct Disturbance {
+  using Star = StarGaussian<Scalar, Dofs>;           ///< state of the filter
+  using Model = JointTorqueModel<Scalar, Dofs>;      ///< model of the arm
+  using Acting = Eigen::Matrix<Scalar, kActing, 1>;  ///< (w, s)
+  using Square = Eigen::Matrix<Scalar, Dofs, Dofs>;  ///< covariance of all joints' torques
+  using Torque = JointVector<Scalar, Dofs>;          ///< one number per joint
 
-  /// A wrench that nothing is known of: N(0, W) with W for hands and obstacles beside an arm for `rated_payload` [kg].
-  void begin(Scalar rated_payload) noexcept {
-    mean_.setZero();
-    covariance_ = any(rated_payload);
+  /// A wrench begins that nothing is known of: w ~ N(0, W) with W for hands and obstacles beside an arm for `rated` [kg].
+  /// It is as likely to answer to the compensation as not.
+  /// @param soft  it begins with nearly nothing: what touches softly
+  static void begin(Star& star, Scalar rated, bool soft) noexcept {
+    Acting mean = Acting::Zero(), variance;
+    mean[kActing - 1] = Scalar(kAnswers);
+    variance[kActing - 1] = Scalar(kAnswers * kAnswers);
+    for (int i = 0; i < 6; ++i) variance[i] = any(rated, i) * Scalar(soft ? kSoft * kSoft : 1);
+    star.begin_wrench(mean, variance);
   }
-  /// Time update: the wrench changes from block to block.
-  /// @param how            what the wrench does
-  /// @param duration       of the block [s]
-  /// @param rated_payload  [kg]
-  void predict(Disturbing how, Scalar duration, Scalar rated_payload) noexcept {
-    const Scalar blocks = duration / Scalar(kTrembleTime);
+  /// Time update: the wrench changes from block to block. If the hand is held by something rigid, each newton of
+  /// compensation is a newton of contact force; a weight, and most hands, do not answer (docs/theory.md (T52)).
+  /// What touches does not stay as it is while the hand moves, as a weight does.
+  /// @param model  of the arm; its block is the one that comes
+  /// @param star   state; a wrench acts
+  /// @param how    what the wrench does
+  /// @param rated  rated payload [kg]
+  static void predict(const Model& model, Star& star, Disturbing how, Scalar rated) noexcept {
+    const TorqueBlock<Scalar, Dofs>& block = model.block();
+    const Answer<Scalar>& answer = model.answer();
+    const Scalar blocks = block.duration / Scalar(kTrembleTime);
     const double share = how == Disturbing::Hand ? kTremble : how == Disturbing::Growing ? kOwn : 0;
-    detail::add_scaled(covariance_, Scalar(share * share) * blocks, any(rated_payload));
-    if (how != Disturbing::Growing) return;
-    Scalar square = Scalar(0.01) * rated_payload * rated_payload;
-    for (int i = 0; i < 3; ++i) square = std::max(square, mean_[i] * mean_[i]);
-    const Scalar growth = Scalar(kGrowth * kGrowth) * rated_payload * rated_payload * blocks / square;
-    detail::add_outer(covariance_, detail::scaled(growth, mean_), mean_);
+    Eigen::Matrix<Scalar, 6, 6> noise = Eigen::Matrix<Scalar, 6, 6>::Zero();
+    for (int i = 0; i < 6; ++i) noise(i, i) = Scalar(share * share) * blocks * any(rated, i);
+    detail::add_outer(noise, detail::scaled(Scalar(kTiming * kTiming), answer.pending), answer.pending);
+    // Where the hand is held is not known: so the force of an answer is known, but not its moment.
+    Scalar force = Scalar(0);
+    for (int i = 0; i < 3; ++i) force += answer.change[i] * answer.change[i];
+    for (int i = 3; i < 6; ++i) noise(i, i) += Scalar(kLever * kLever) * force;
+    Vector6<Scalar> back = Vector6<Scalar>::Zero();  // what touches pushes back
+    if (how != Disturbing::Hand) {
+      const Vector6<Scalar> twist = detail::product(block.jacobian, block.velocity);
+      for (int i = 0; i < 3; ++i) back[i] = Scalar(-kStiff) * block.duration * twist[i];
+      detail::add_outer(noise, back, back);
+    }
+    if (how == Disturbing::Growing) {
+      const Vector6<Scalar> w = star.wrench_mean().template head<6>();
+      Scalar square = Scalar(0.01) * rated * rated;
+      for (int i = 0; i < 3; ++i) square = std::max(square, w[i] * w[i]);
+      detail::add_outer(noise, detail::scaled(Scalar(kGrowth * kGrowth) * rated * rated * blocks / square, w), w);
+    }
+    star.disturb(back, answer.change, noise);
   }
-  /// Takes in the block of the model's last begin(): learns the wrench, and the arm's nuisances in `star`. Of a jolt nothing
-  /// is learned.
-  /// @param model     of the arm
-  /// @param star      state before the block; its x is kept
-  /// @param how       what acts; if it is not a jolt, a jolt may hide it in this block
-  /// @param jolt      log probability of such a jolt; -infinity for none
-  /// @param rated     rated payload [kg]
-  /// @param squared   on return e^T S^-1 e without the disturbance, joints taken one by one
+  /// Takes in the block of the model's last begin(). Of a jolt nothing is learned.
+  /// @param model    of the arm
+  /// @param star     state before the block; a wrench acts, unless it is a jolt
+  /// @param how      what acts; if it is not a jolt, a jolt may hide it in this block
+  /// @param jolt     log probability of such a jolt; -infinity for none
+  /// @param rated    rated payload [kg]
+  /// @param squared  on return e^T S^-1 e without the disturbance, joints taken one by one
   /// @return log p(block) [nats], without the constant factor of 2 pi
-  Scalar observe(const Model& model, Star& star, Disturbing how, Scalar jolt, Scalar rated, Scalar& squared) noexcept {
-    constexpr auto kNone = -std::numeric_limits<Scalar>::infinity();
-    squared = Scalar(0);
-    const Jacobian<Scalar, Dofs>& J = model.block().jacobian;
-    JointVector<Scalar, Dofs> e;
-    Eigen::Matrix<Scalar, Dofs, kShared> spread;
-    std::array<typename Star::Prediction, static_cast<std::size_t>(Dofs)> predictions;
+  static Scalar observe(const Model& model, Star& star, Disturbing how, Scalar jolt, Scalar rated,
+                        Scalar& squared) noexcept {
     // A wrench that is a weight has the noise of its inertia: otherwise noise of dq alone would decide between both.
-    const Scalar mass = std::max(Scalar(0), star.mass() + weighs(model));
-    for (int j = 0; j < Dofs; ++j) {
-      auto& p = predictions[static_cast<std::size_t>(j)];
-      p = star.predict(j, model.observation(j, mass));
-      squared += p.innovation * p.innovation / p.variance;
-      e[j] = p.innovation;
-      // An error of the payload is the same in all blocks, and the wrench takes it in the first. Counted in each, it would
-      // favour stories that know little of the payload.
-      const typename Star::X arm = star.arm_spread(p);
-      for (int i = 0; i < kShared; ++i) spread(j, i) = arm[i];
+    const Scalar mass = std::max(Scalar(0), star.mass() + weighs(model, star));
+    const Residual residual(model, star, mass);
+    squared = residual.squared;
+    if (how == Disturbing::Jolt) return jolt_density(model, residual, rated);
+    const Scalar log_jolt = jolt > kNone ? jolt + jolt_density(model, residual, rated) : kNone;
+    Scalar log_anew = kNone;
+    if (how == Disturbing::Hand)
+      log_anew =
+          static_cast<Scalar>(std::log(kAnew)) + density(any_wrench(model, residual.covariance, rated), residual.e);
+    const Star before = star;
+    const Scalar goes_on = update(model, star, mass);
+    if (log_jolt > std::max(goes_on, log_anew)) {
+      star = before;
+    } else if (log_anew > goes_on) {
+      star = before;
+      begin(star, rated, false);
+      (void)update(model, star, mass);
     }
-    Eigen::Matrix<Scalar, Dofs, Dofs> known = detail::outer_square(spread);
-    for (int j = 0; j < Dofs; ++j) known(j, j) += predictions[static_cast<std::size_t>(j)].given_shared;
-    if (how == Disturbing::Jolt) return jolt_density(model, known, e, rated);
-    const Scalar log_jolt = jolt > kNone ? jolt + jolt_density(model, known, e, rated) : kNone;
-    Fit fit(J, known, e, mean_, covariance_);
-    Scalar log_likelihood = log_sum(fit.log_density, log_jolt);
-    if (how == Disturbing::Hand) {
-      const Fit anew(J, known, e, Vector6<Scalar>::Zero(), any(rated));
-      const Scalar log_anew = static_cast<Scalar>(std::log(kAnew)) + anew.log_density;
-      log_likelihood = log_sum(log_likelihood, log_anew);
-      if (log_anew > fit.log_density) {
-        fit = anew;
-        fit.log_density = log_anew;
-        mean_.setZero();
-        covariance_ = any(rated);
-      }
-    }
-    if (log_jolt > fit.log_density) return log_likelihood;
-    const Eigen::Matrix<Scalar, Dofs, 6>& cross = fit.cross;
-    const Eigen::Matrix<Scalar, Dofs, 6> gain = fit.factor.solve_lower(cross);
-    // The arm is learned given the wrench as it was known before this block: what the block shows of the wrench is not
-    // known independently of the arm.
-    for (int j = 0; j < Dofs; ++j) {
-      auto& p = predictions[static_cast<std::size_t>(j)];
-      Scalar wrench = Scalar(0), variance = Scalar(0);
-      for (int i = 0; i < 6; ++i) {
-        wrench += J(i, j) * mean_[i];
-        variance += cross(j, i) * J(i, j);
-      }
-      p.conditional_error -= wrench;
-      p.given_shared += Scalar(kCommon) * std::max(variance, Scalar(0));
-      star.observe_nuisances(j, p);
-    }
-    detail::add_scaled(mean_, Scalar(1), detail::transposed_product(gain, fit.white));
-    detail::add_scaled(covariance_, Scalar(-1), detail::transposed_product(gain, gain));
-    return log_likelihood;
+    return log_sum(log_sum(goes_on, log_anew), log_jolt);
+  }
+  /// Log density of a block during which any wrench acts, or none, of which nothing is learned [nats], without the constant
+  /// factor of 2 pi. Parameters as above.
+  static Scalar anything(const Model& model, const Star& star, Scalar rated, Scalar& squared) noexcept {
+    const Residual residual(model, star, std::max(Scalar(0), star.mass()));
+    squared = residual.squared;
+    return density(any_wrench(model, residual.covariance, rated), residual.e);
   }
 
   /// How much better a payload explains the wrench than any wrench does: the log of the ratio of the two likelihoods of
   /// all blocks since it began, the last one included (docs/theory.md (T50)). The payload takes the place of star's.
   /// @param model    of the arm
-  /// @param star     state; its errors, and those of its payload, are errors of the wrench as well
+  /// @param star     state; a wrench acts that did not begin softly
   /// @param payload  what may be held
   /// @param rated    rated payload [kg]
-  Scalar weigh(const Model& model, const Star& star, const PayloadPrior<Scalar>& payload, Scalar rated) const noexcept {
+  static Scalar weigh(const Model& model, const Star& star, const PayloadPrior<Scalar>& payload,
+                      Scalar rated) noexcept {
     using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
-    constexpr auto kNone = -std::numeric_limits<Scalar>::infinity();
-    const Matrix6 W = any(rated);
-    Matrix6 none = Matrix6::Zero();  // W^-1: what is known of a wrench that nothing is known of
-    for (int i = 0; i < 6; ++i) none(i, i) = Scalar(1) / W(i, i);
-    const Cholesky<Scalar, 6> known(covariance_);
+    const Acting acting = star.wrench_mean();
+    const Eigen::Matrix<Scalar, kActing, kActing> covariance = star.wrench_covariance();
+    // A weight does not answer to the compensation: s = 0. So the blocks are as much likelier without an answer as the
+    // density of s at 0 is larger than it was at first.
+    const Scalar answers = covariance(6, 6), off = acting[6];
+    const Scalar log_silent = Scalar(0.5) * (1 - off * off / answers + std::log(Scalar(kAnswers * kAnswers) / answers));
+    Vector6<Scalar> silent_mean;
+    Matrix6 silent;
+    for (int i = 0; i < 6; ++i) {
+      const Scalar share = covariance(i, 6) / answers;
+      silent_mean[i] = acting[i] - share * off;
+      for (int k = 0; k < 6; ++k) silent(i, k) = covariance(i, k) - share * covariance(k, 6);
+    }
+    const Cholesky<Scalar, 6> known(silent);
     if (!known.positive_definite()) return kNone;
     // What the blocks have shown, as information: that of the wrench less that of its prior.
     Matrix6 shown = known.inverse();
-    shown -= none;
-    Vector6<Scalar> shown_mean = known.solve(mean_);
-    // It cannot be more than one block shows, however many there were: the arm's errors are the same in all of them.
-    const Matrix6 once = information(model, star);
-    Matrix6 sum = shown;
-    sum += once;
-    detail::add_scaled(sum, Scalar(1e-6), none);
-    const Cholesky<Scalar, 6> both(sum);
-    if (!both.positive_definite()) return kNone;
-    shown_mean -= detail::product(shown, both.solve(shown_mean));
-    const Matrix6 lost = detail::product(shown, both.solve(shown));
-    shown -= lost;
-    // Of any wrench.
-    none += shown;
-    const Cholesky<Scalar, 6> any_wrench(none);
-    if (!any_wrench.positive_definite()) return kNone;
-    Scalar log_any = Scalar(0.5) * detail::dot(shown_mean, any_wrench.solve(shown_mean)) - any_wrench.log_det_lower();
-    for (int i = 0; i < 6; ++i) log_any -= Scalar(0.5) * std::log(W(i, i));
+    for (int i = 0; i < 6; ++i) shown(i, i) -= Scalar(1) / any(rated, i);
+    const Vector6<Scalar> shown_mean = known.solve(silent_mean);
+    // Of any wrench: what is known of it, silent, is what its prior and the blocks say together.
+    Scalar log_any = Scalar(0.5) * detail::dot(silent_mean, shown_mean) + known.log_det_lower();
+    for (int i = 0; i < 6; ++i) log_any -= Scalar(0.5) * std::log(any(rated, i));
     // Of the weight of a payload, w = Y (phi - held), where phi is from the prior for the mass that the wrench shows.
     const Eigen::Matrix<Scalar, 6, 4> Y = weight_regressor(model);
-    const Scalar mass = std::max(Scalar(0.02) * rated, std::min(rated, star.mass() + weighs(model)));
+    const Scalar mass = std::max(Scalar(0.02) * rated, std::min(rated, star.mass() + weighs(model, star)));
     const InertialVector<Scalar> phi = payload.mean(), held_phi = star.payload_mean();
     const InertialMatrix<Scalar> factor = payload.factor(mass * mass);
     Vector4<Scalar> mean, held;
@@ -177,78 +173,102 @@ class Disturbance {
     const Scalar log_payload = detail::dot(mean, slope) - Scalar(0.5) * detail::dot(mean, at_mean) -
                                detail::dot(pull, held) - Scalar(0.5) * detail::dot(held, back) +
                                Scalar(0.5) * detail::dot(white, of_payload.solve(white)) - of_payload.log_det_lower();
-    return log_payload - log_any;
+    return log_silent + log_payload - log_any;
   }
 
-  const Vector6<Scalar>& mean() const noexcept { return mean_; }                          ///< of w [N, N m]
-  const Eigen::Matrix<Scalar, 6, 6>& covariance() const noexcept { return covariance_; }  ///< of w
-
  private:
-  // The error of the wrench is the same for as long as the hand pushes in the same way. The nuisances take it for new
-  // in each block, so it counts this many times: that of four seconds.
-  static constexpr double kCommon = 200;
+  static constexpr Scalar kNone = -std::numeric_limits<Scalar>::infinity();
   static constexpr double kForce = 4;           // standard deviation of a new wrench's force per rated payload [N/kg]
   static constexpr double kMoment = 0.5;        // the same of its moment [N m/kg]
+  static constexpr double kSoft = 0.005;        // the same of one that begins softly, as a share of a new one
   static constexpr double kTremble = 0.1;       // change of the wrench within kTrembleTime, as a share of a new one
   static constexpr double kTrembleTime = 0.02;  // [s]
-  static constexpr double kOwn = 2e-4;          // tremble of a growing wrench in all directions
-  static constexpr double kGrowth = 0.0265;     // its growth along itself in kTrembleTime, per rated payload [N/kg]
+  static constexpr double kOwn = 2e-3;          // tremble of a growing wrench in all directions
+  static constexpr double kGrowth = 0.06;       // its growth along itself in kTrembleTime, per rated payload [N/kg]
   static constexpr double kAnew = 1e-3;         // probability per block that a hand pushes anew, in any way
+  static constexpr double kAnswers = 0.5;       // mean and standard deviation of s: from not at all to completely
+  static constexpr double kTiming = 0.5;        // share of what is pending of an answer that may come sooner or later
+  static constexpr double kLever = 0.01;        // of an answer's force about the point where the hand is held [m]
+  static constexpr double kStiff = 500;         // of what touches, mean and standard deviation [N/m]
   static constexpr double kJolt = 3;            // torque of a jolt, times the joint's scale [N m]
   static constexpr double kLarger = 10;         // the next size of a jolt, relative to the last one
   static constexpr int kSizes = 3;              // of jolts, each as likely as the others
 
-  /// Cholesky's factor of a covariance of all joints' torques. Combinations of torques that no wrench makes have standard
-  /// deviations a hundred times smaller than the others. In float, their variances are hardly above the rounding errors of
-  /// the pivots.
-  static Cholesky<Scalar, Dofs> factorise(Eigen::Matrix<Scalar, Dofs, Dofs> S) noexcept {
+  /// What a block shows beyond the mean of payload and arm, no wrench.
+  struct Residual {
+    Residual(const Model& model, const Star& star, Scalar mass) noexcept {
+      Eigen::Matrix<Scalar, Dofs, kShared> spread;
+      Torque own;
+      for (int j = 0; j < Dofs; ++j) {
+        JointObservation<Scalar> o = model.observation(j, mass);
+        for (int i = kWrench; i < kShared; ++i) o.h[i] = Scalar(0);
+        const auto p = star.predict(j, o);
+        e[j] = p.innovation;
+        squared += p.innovation * p.innovation / p.variance;
+        // An error of the payload is the same in all blocks, and the wrench takes it in the first. Counted in each, it
+        // would favour stories that know little of the payload.
+        const typename Star::X arm = star.arm_spread(p);
+        for (int i = 0; i < kShared; ++i) spread(j, i) = arm[i];
+        own[j] = p.given_shared;
+      }
+      covariance = detail::outer_square(spread);
+      for (int j = 0; j < Dofs; ++j) covariance(j, j) += own[j];
+    }
+    Torque e;                    ///< [N m]
+    Square covariance;           ///< of e, that of the payload left out [(N m)^2]
+    Scalar squared = Scalar(0);  ///< e^T S^-1 e, joints taken one by one
+  };
+  /// Updates the state, joint by joint. Returns log p(block) without jolts.
+  static Scalar update(const Model& model, Star& star, Scalar mass) noexcept {
+    Scalar sum = Scalar(0);
+    for (int j = 0; j < Dofs; ++j) {
+      const auto p = star.predict(j, model.disturbed_observation(j, mass));
+      sum -= Scalar(0.5) * (p.innovation * p.innovation / p.variance + std::log(p.variance));
+      star.observe(j, p);
+    }
+    return sum;
+  }
+  /// Log density of e ~ N(0, S), without the constant factor of 2 pi. Combinations of torques that no wrench makes have
+  /// standard deviations a hundred times smaller than the others. In float, their variances are hardly above the rounding
+  /// errors of the pivots.
+  /// @param sizes  the same with S times the square of 1, 10, ..; each is as likely as the others
+  static Scalar density(Square S, const Torque& e, int sizes = 1) noexcept {
     Scalar largest = Scalar(0);
     for (int j = 0; j < Dofs; ++j) largest = std::max(largest, S(j, j));
     for (int j = 0; j < Dofs; ++j) S(j, j) += 16 * Eigen::NumTraits<Scalar>::epsilon() * largest;
-    return Cholesky<Scalar, Dofs>(S);
+    const Cholesky<Scalar, Dofs> factor(S);
+    if (!factor.positive_definite()) return kNone;
+    const Torque white = factor.solve_lower(e);
+    const Scalar square = detail::dot(white, white);
+    Scalar sum = kNone, size = Scalar(1);
+    for (int i = 0; i < sizes; ++i, size *= Scalar(kLarger))
+      sum = log_sum(sum, Scalar(-0.5) * square / (size * size) - Scalar(Dofs) * std::log(size));
+    return sum - std::log(Scalar(sizes)) - factor.log_det_lower();
   }
-  /// How well a wrench explains a block.
-  struct Fit {
-    /// @param known       covariance of e without the wrench
-    /// @param mean        of the wrench; its covariance comes next
-    Fit(const Jacobian<Scalar, Dofs>& J, Eigen::Matrix<Scalar, Dofs, Dofs> known, const JointVector<Scalar, Dofs>& e,
-        const Vector6<Scalar>& mean, const Eigen::Matrix<Scalar, 6, 6>& covariance) noexcept
-        : cross(detail::transposed_product(J, covariance)),
-          factor(factorise(known += detail::product(cross, J))),
-          white(factor.solve_lower(
-              detail::difference(e, JointVector<Scalar, Dofs>(detail::transposed_product(J, mean))))),
-          log_density(factor.positive_definite() ? Scalar(-0.5) * detail::dot(white, white) - factor.log_det_lower()
-                                                 : -std::numeric_limits<Scalar>::infinity()) {}
-    Eigen::Matrix<Scalar, Dofs, 6> cross;  ///< J^T cov(w)
-    Cholesky<Scalar, Dofs> factor;         ///< of the covariance of e
-    JointVector<Scalar, Dofs> white;       ///< e less that of the wrench, whitened
-    Scalar log_density;                    ///< of the block [nats], without the constant factor of 2 pi
-  };
-  /// Log density of a block that a jolt of unknown size shakes (docs/theory.md (T49)): any wrench, and a torque on each joint.
-  /// @param known  covariance of e without it
-  static Scalar jolt_density(const Model& model, const Eigen::Matrix<Scalar, Dofs, Dofs>& known,
-                             const JointVector<Scalar, Dofs>& e, Scalar rated) noexcept {
+  /// Covariance of the torque if any wrench acts in addition.
+  static Square any_wrench(const Model& model, const Square& covariance, Scalar rated) noexcept {
     const Jacobian<Scalar, Dofs>& J = model.block().jacobian;
-    const Eigen::Matrix<Scalar, 6, 6> W = any(rated);
-    Eigen::Matrix<Scalar, Dofs, Dofs> S =
-        detail::product(Eigen::Matrix<Scalar, Dofs, 6>(detail::transposed_product(J, W)), J);
-    S += known;
+    Jacobian<Scalar, Dofs> scaled = J;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < Dofs; ++j) scaled(i, j) *= any(rated, i);
+    Square S = detail::transposed_product(J, scaled);
+    S += covariance;
+    return S;
+  }
+  /// Log density of a block that a jolt of unknown size shakes (docs/theory.md (T49)): any wrench, and a torque on each
+  /// joint.
+  static Scalar jolt_density(const Model& model, const Residual& residual, Scalar rated) noexcept {
+    Square S = any_wrench(model, residual.covariance, rated);
     for (int j = 0; j < Dofs; ++j) {
       const Scalar own = Scalar(kJolt) * model.arm().residual[j];
       S(j, j) += own * own;
     }
-    const Cholesky<Scalar, Dofs> factor = factorise(S);
-    if (!factor.positive_definite()) return -std::numeric_limits<Scalar>::infinity();
-    const JointVector<Scalar, Dofs> white = factor.solve_lower(e);
-    Scalar sum = -std::numeric_limits<Scalar>::infinity(), size = Scalar(1);
-    for (int i = 0; i < kSizes; ++i, size *= Scalar(kLarger))
-      sum = log_sum(sum, Scalar(-0.5) * detail::dot(white, white) / (size * size) - Scalar(Dofs) * std::log(size));
-    return sum - std::log(Scalar(kSizes)) - factor.log_det_lower();
+    return density(S, residual.e, kSizes);
   }
   /// log(exp(a) + exp(b)).
   static Scalar log_sum(Scalar a, Scalar b) noexcept {
     const Scalar high = std::max(a, b);
-    if (!(high > -std::numeric_limits<Scalar>::infinity())) return high;
+    if (!(high > kNone)) return high;
     return high + std::log(std::exp(a - high) + std::exp(b - high));
   }
   /// d w / d (m, m r) of a weight in the block's last pose, 6x4.
@@ -261,38 +281,17 @@ class Disturbance {
     return Y;
   }
   /// The mass whose weight the wrench has along gravity [kg].
-  Scalar weighs(const Model& model) const noexcept {
+  static Scalar weighs(const Model& model, const Star& star) noexcept {
+    if (!star.acts()) return Scalar(0);
     const Vector3<Scalar>& g = model.gravity();
-    return (mean_[0] * g[0] + mean_[1] * g[1] + mean_[2] * g[2]) / detail::dot(g, g);
+    const auto& x = star.mean();
+    return (x[kWrench] * g[0] + x[kWrench + 1] * g[1] + x[kWrench + 2] * g[2]) / detail::dot(g, g);
   }
-  /// Inverse covariance of the wrench that one block shows, given what is known of the arm.
-  static Eigen::Matrix<Scalar, 6, 6> information(const Model& model, const Star& star) noexcept {
-    Eigen::Matrix<Scalar, Dofs, kShared> spread;
-    Eigen::Matrix<Scalar, Dofs, 6> transposed;
-    std::array<Scalar, static_cast<std::size_t>(Dofs)> own;
-    for (int j = 0; j < Dofs; ++j) {
-      const auto p = star.predict(j, model.observation(j, star.mass()));
-      for (int i = 0; i < kShared; ++i) spread(j, i) = p.spread[i];
-      for (int i = 0; i < 6; ++i) transposed(j, i) = model.block().jacobian(i, j);
-      own[static_cast<std::size_t>(j)] = p.given_shared;
-    }
-    Eigen::Matrix<Scalar, Dofs, Dofs> total = detail::outer_square(spread);
-    for (int j = 0; j < Dofs; ++j) total(j, j) += own[static_cast<std::size_t>(j)];
-    const Cholesky<Scalar, Dofs> factor(total);
-    if (!factor.positive_definite()) return Eigen::Matrix<Scalar, 6, 6>::Zero();
-    const Eigen::Matrix<Scalar, Dofs, 6> white = factor.solve_lower(transposed);
-    return detail::transposed_product(white, white);
+  /// Variance of entry i of a wrench that nothing is known of.
+  static Scalar any(Scalar rated, int i) noexcept {
+    const Scalar deviation = Scalar(i < 3 ? kForce : kMoment) * rated;
+    return deviation * deviation;
   }
-  static Eigen::Matrix<Scalar, 6, 6> any(Scalar rated) noexcept {
-    Eigen::Matrix<Scalar, 6, 6> W = Eigen::Matrix<Scalar, 6, 6>::Zero();
-    for (int i = 0; i < 6; ++i) {
-      const Scalar deviation = Scalar(i < 3 ? kForce : kMoment) * rated;
-      W(i, i) = deviation * deviation;
-    }
-    return W;
-  }
-  Vector6<Scalar> mean_ = Vector6<Scalar>::Zero();
-  Eigen::Matrix<Scalar, 6, 6> covariance_ = Eigen::Matrix<Scalar, 6, 6>::Zero();
 };
 
 }  // namespace rme

@@ -118,6 +118,13 @@ class JointTorqueModel {
   /// @param j     0 .. Dofs - 1
   /// @param mass  mass of the payload [kg]; the noise of dq makes a noise of its inertia force
   JointObservation<Scalar> observation(int j, Scalar mass) const noexcept;
+  /// The same, while a wrench acts.
+  JointObservation<Scalar> disturbed_observation(int j, Scalar mass) const noexcept {
+    JointObservation<Scalar> o = observation(j, mass);
+    for (int i = 0; i < 6; ++i) o.h[kWrench + i] = block_.jacobian(i, j);
+    o.h[kAnswer] = Scalar(0);
+    return o;
+  }
   /// Variance that a jump of joint j's stiction would add in this block [(N m)^2]: a joint that rests while others move
   /// may come loose and stick again. 0 if the joint moves, if the whole arm rests, and if the torque shows no friction.
   /// @param star  has the joint's Coulomb friction
@@ -143,6 +150,7 @@ class JointTorqueModel {
   void interrupt() noexcept { noise_.interrupt(); }                           ///< something happened in this block
   const SensorNoise<Scalar, Dofs>& noise() const noexcept { return noise_; }  ///< learned noise and residual
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< the block of the last begin()
+  const Answer<Scalar>& answer() const noexcept { return answer_; }           ///< BlockContext::answer
   const Vector3<Scalar>& gravity() const noexcept { return gravity_; }        ///< g [m/s^2], world axes
   const SensingKind& kind() const noexcept { return kind_; }                  ///< row of the kind of torque sensing
   const ArmPrior<Scalar, Dofs>& arm() const noexcept { return arm_; }         ///< with the friction that the kind sees
@@ -195,6 +203,7 @@ class JointTorqueModel {
   // (follow_torque(), follow_compensation()); changes of the compensation that tau_ext does not show yet.
   Torque recent_torque_ = Torque::Zero(), torque_change_ = Torque::Zero(), pending_ = Torque::Zero();
   Vector3<Scalar> gravity_;
+  Answer<Scalar> answer_;
   Eigen::Matrix<Scalar, Dofs, 2> tilt_ = Eigen::Matrix<Scalar, Dofs, 2>::Zero();  // d tau / d tilt [N m/rad]
   Torque timing_noise_ = Torque::Zero(), inertia_noise_ = Torque::Zero();         // variances [(N m)^2], [(N m / kg)^2]
 };
@@ -247,6 +256,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   block_ = block;
   regime_ = regime;
   friction_shows_ = context.friction_shows;
+  answer_ = context.answer;
 }
 
 /// The friction of a resting joint balances all other torques: it changes when the motor's torque changes, and tau_ext
@@ -353,6 +363,7 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
   for (int i = 0; i < 2; ++i) o.h[kTilt + i] = tilt_(j, i);
   for (int i = 0; i < kInertial; ++i) o.h[kPayload + i] = block_.regressor(j, i);
   for (int i = 0; i < 4; ++i) o.h[kPoured + i] = block_.regressor(j, i);
+  for (int i = kPouredShared; i < kShared; ++i) o.h[i] = Scalar(0);
   o.noise = noise_.variance(j) + timing_noise_[j] + mass * mass * inertia_noise_[j];
   const JointFriction<Scalar>& friction = regime_.joint(j);
   const Scalar v = block_.velocity[j], slow = static_cast<Scalar>(kind_.slow);

@@ -10,17 +10,22 @@
 
 namespace rme {
 
-/// What all joints share, x: first what belongs to the arm, then the payload. Each is the index of a first entry.
+/// What all joints share, x: first what belongs to the arm, then the payload, then what passes: either something is
+/// poured, or a wrench acts. Each is the index of a first entry.
 enum Shared : int {
   kLag = 0,      ///< lag of the torque beyond the stated observer, in time constants of that observer (no unit)
   kTool = 1,     ///< mass and first moment that the robot's own model lacks at the last link, 4 entries [kg, kg m]
   kTilt = 5,     ///< error of gravity's direction: rotation about two axes across gravity, 2 entries [rad]
   kPayload = 7,  ///< phi of the payload, 10 entries; if something is poured, phi before that
   kPoured = 17,  ///< what has been poured in so far, (m, m r), 4 entries [kg, kg m]
+  kWrench = 17,  ///< w, what else acts at the end-effector origin: force and moment, world axes, 6 entries [N, N m]
+  kAnswer = 23,  ///< s, how w answers to the compensation: 1 if the hand cannot move, 0 for a weight (no unit)
 };
-inline constexpr int kArmShared = kPayload;  ///< number of shared unknowns of an empty hand
-inline constexpr int kHeldShared = kPoured;  ///< the same, if something is held
-inline constexpr int kShared = kPoured + 4;  ///< the same, if something is poured: all of them
+inline constexpr int kArmShared = kPayload;        ///< number of shared unknowns of an empty hand
+inline constexpr int kHeldShared = kPoured;        ///< the same, if something is held
+inline constexpr int kPouredShared = kPoured + 4;  ///< the same, if something is poured
+inline constexpr int kActing = 7;                  ///< number of unknowns of a wrench: w and s
+inline constexpr int kShared = kWrench + kActing;  ///< number of shared unknowns while a wrench acts: all of them
 template <typename Scalar>
 using SharedVector = Eigen::Matrix<Scalar, kShared, 1>;  ///< x, in the order of Shared
 template <typename Scalar>
@@ -57,7 +62,7 @@ struct JointObservation {
 ///     x ~ N(mean, F F^T),   beta_j | x ~ N(b_j + B_j x, V_j)
 ///
 /// A joint's torque depends only on x and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
-/// cost of a dense covariance. forget_payload(), widen_arm(), pour() and end_pour() would couple the joints. Each of
+/// cost of a dense covariance. widen_arm(), pour(), end_pour() and disturb() would couple the joints. Each of
 /// them gives the nearest star instead, which has the right mean and covariance of every pair (x, beta_j)
 /// (docs/theory.md, "The star").
 ///
@@ -68,11 +73,11 @@ struct JointObservation {
 template <typename Scalar, int Dofs>
 class StarGaussian {
  public:
-  using X = SharedVector<Scalar>;                                 ///< 21x1
-  using XMatrix = SharedMatrix<Scalar>;                           ///< 21x21
+  using X = SharedVector<Scalar>;                                 ///< 24x1
+  using XMatrix = SharedMatrix<Scalar>;                           ///< 24x24
   using Beta = JointNuisanceVector<Scalar>;                       ///< 5x1
   using BetaMatrix = JointNuisanceMatrix<Scalar>;                 ///< 5x5
-  using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 21x5
+  using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 24x5
   using Cross = Eigen::Matrix<Scalar, kShared, 4>;                ///< covariance of x and four other unknowns
   /// Gaussian of beta_j given x.
   struct Joint {
@@ -81,14 +86,17 @@ class StarGaussian {
     BetaMatrix covariance = BetaMatrix::Zero();  ///< V_j
   };
 
-  bool empty() const noexcept { return size_ == kArmShared; }  ///< whether the hand is empty for certain
-  const X& mean() const noexcept { return mean_; }             ///< of x
+  bool empty() const noexcept { return !held_; }           ///< whether the hand is empty for certain
+  bool acts() const noexcept { return size_ == kShared; }  ///< whether a wrench acts
+  const X& mean() const noexcept { return mean_; }         ///< of x
   XMatrix covariance() const noexcept { return detail::outer_square(factor_); }  ///< of x, F F^T
-  Scalar mass() const noexcept { return mean_[kPayload] + mean_[kPoured]; }      ///< mean of the payload's mass [kg]
+  /// Mean of the payload's mass [kg].
+  Scalar mass() const noexcept { return mean_[kPayload] + (pours() ? mean_[kPoured] : Scalar(0)); }
   /// Mean of the payload's phi, with what was poured.
   InertialVector<Scalar> payload_mean() const noexcept {
     InertialVector<Scalar> phi;
-    for (int i = 0; i < kInertial; ++i) phi[i] = mean_[kPayload + i] + (i < 4 ? mean_[kPoured + i] : Scalar(0));
+    for (int i = 0; i < kInertial; ++i)
+      phi[i] = mean_[kPayload + i] + (i < 4 && pours() ? mean_[kPoured + i] : Scalar(0));
     return phi;
   }
   /// Covariance of the payload's phi, with what was poured.
@@ -96,14 +104,14 @@ class StarGaussian {
     Eigen::Matrix<Scalar, kInertial, kShared> rows;
     for (int i = 0; i < kInertial; ++i)
       for (int k = 0; k < kShared; ++k)
-        rows(i, k) = factor_(kPayload + i, k) + (i < 4 ? factor_(kPoured + i, k) : Scalar(0));
+        rows(i, k) = factor_(kPayload + i, k) + (i < 4 && pours() ? factor_(kPoured + i, k) : Scalar(0));
     return detail::outer_square(rows);
   }
   /// Variance of the payload's mass [kg^2].
   Scalar mass_variance() const noexcept {
     Scalar sum = Scalar(0);
     for (int k = 0; k < size_; ++k) {
-      const Scalar f = factor_(kPayload, k) + factor_(kPoured, k);
+      const Scalar f = factor_(kPayload, k) + (pours() ? factor_(kPoured, k) : Scalar(0));
       sum += f * f;
     }
     return sum;
@@ -168,6 +176,8 @@ class StarGaussian {
       predict_shared<kArmShared>(joint, o, p);
     else if (size_ == kHeldShared)
       predict_shared<kHeldShared>(joint, o, p);
+    else if (size_ == kPouredShared)
+      predict_shared<kPouredShared>(joint, o, p);
     else
       predict_shared<kShared>(joint, o, p);
     return p;
@@ -180,6 +190,8 @@ class StarGaussian {
       observe_shared<kArmShared>(p);
     else if (size_ == kHeldShared)
       observe_shared<kHeldShared>(p);
+    else if (size_ == kPouredShared)
+      observe_shared<kPouredShared>(p);
     else
       observe_shared<kShared>(p);
     observe_nuisances(j, p);
@@ -205,22 +217,11 @@ class StarGaussian {
   /// cov(x, y) = F F^T u of an observation.
   X covariance_row(const Prediction& p) const noexcept { return detail::product(factor_, p.spread); }
 
-  /// Marginalises the payload: the hand is empty afterwards, and everything else keeps its marginal distribution.
+  /// Marginalises the payload, and what is poured or acts: the hand is empty afterwards, and everything else keeps its
+  /// distribution.
   void forget_payload() noexcept {
-    if (empty()) return;
-    XMatrix arm = covariance();
-    for (int i = 0; i < kShared; ++i)
-      for (int k = 0; k < kShared; ++k)
-        if (i >= kArmShared || k >= kArmShared) arm(i, k) = Scalar(0);
-    X mean = mean_;
-    for (int i = kArmShared; i < kShared; ++i) mean[i] = Scalar(0);
-    restate(mean, arm, [](const Slope& cross, const Slope&) {
-      Slope kept = cross;
-      for (int i = 0; i < kJointNuisances; ++i)
-        for (int k = kArmShared; k < kShared; ++k) kept(k, i) = Scalar(0);
-      return kept;
-    });
-    size_ = kArmShared;
+    if (size_ != kArmShared) marginalise(kArmShared);
+    held_ = false;
   }
   /// Puts a payload phi ~ N(mean, factor factor^T), independent of everything else, in place of the present one.
   void draw_payload(const InertialVector<Scalar>& mean, const InertialMatrix<Scalar>& factor) noexcept {
@@ -230,6 +231,7 @@ class StarGaussian {
       for (int k = 0; k < kInertial; ++k) factor_(kPayload + i, kPayload + k) = factor(i, k);
     }
     size_ = kHeldShared;
+    held_ = true;
   }
   /// The hand may hold `along` times z, z ~ N(0, 1), and the joints' nuisances have taken it for their own: each beta_j
   /// is then off by shift[j] times z. The hand has to be empty.
@@ -242,6 +244,7 @@ class StarGaussian {
       for (int n = 0; n < kJointNuisances; ++n)
         joint(j).slope(kPayload, n) = shift[static_cast<std::size_t>(j)][n] / along[0];
     size_ = kHeldShared;
+    held_ = true;
   }
   /// The payload turns out to be none: everything else is as it is given phi = 0. No pour goes on. The hand is empty
   /// afterwards.
@@ -271,12 +274,14 @@ class StarGaussian {
     }
     (void)factorise(arm, factor_);
     size_ = kArmShared;
+    held_ = false;
     return log_density;
   }
   /// Counts the payload as part of the tool. The hand is empty afterwards.
   void payload_is_tool() noexcept {
     if (empty()) return;
     end_pour();
+    end_wrench();
     for (int i = 0; i < 4; ++i) {
       mean_[kTool + i] += mean_[kPayload + i];
       for (int k = 0; k < kShared; ++k) factor_(kTool + i, k) += factor_(kPayload + i, k);
@@ -294,11 +299,14 @@ class StarGaussian {
     restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
   }
 
-  /// From now on, something may be poured in: nothing so far.
-  void begin_pour() noexcept { size_ = kShared; }
+  /// From now on, something may be poured in: nothing so far. No wrench may act.
+  void begin_pour() noexcept {
+    size_ = kPouredShared;
+    held_ = true;
+  }
   /// What has been poured so far becomes part of the payload's phi. Each beta_j keeps its moments with it.
   void end_pour() noexcept {
-    if (size_ != kShared) return;
+    if (!pours()) return;
     const InertialVector<Scalar> phi = payload_mean();
     X mean = mean_;
     for (int i = 0; i < kInertial; ++i) mean[kPayload + i] = phi[i];
@@ -332,60 +340,83 @@ class StarGaussian {
   /// @param Q      covariance of the noise, positive semidefinite; if it is not finite, nothing changes
   void pour(Scalar dt, const Vector4<Scalar>& rate, Cross& cross, const Matrix4<Scalar>& V,
             const Matrix4<Scalar>& Q) noexcept {
-    // r = E[r] + G^T (x - E[x]) + what x does not tell. So x' = A x + E n, with A = 1 + dt E G^T, and n, the noise, in the
-    // last four entries alone: beta_j changes by matrices of rank four.
-    XMatrix total = covariance(), lower, lower_after;
-    if (!factorise(total, lower)) return;
+    // r = E[r] + G^T (x - E[x]) + what x does not tell. So x' = A x + E n, with A = 1 + dt E G^T, and n, the noise, in
+    // the four entries of E alone. A changes beta_j's slopes by matrices of rank four.
+    XMatrix lower;
+    if (!factorise(covariance(), lower)) return;
     const Cross G = solve(lower, cross);
     Matrix4<Scalar> noise = V;
     detail::add_scaled(noise, Scalar(-1), Matrix4<Scalar>(detail::transposed_product(cross, G)));
     noise *= dt * dt;
     noise += Q;
-    Cross after = cross;
-    for (int k = 0; k < 4; ++k)
-      for (int i = 0; i < 4; ++i) after(kPoured + i, k) += dt * V(i, k);
-    for (int i = 0; i < kShared; ++i) {
-      for (int k = 0; k < 4; ++k) {
-        total(i, kPoured + k) += dt * cross(i, k);
-        total(kPoured + k, i) += dt * after(i, k);
-      }
-    }
+    if (!detail::finite(noise)) return;
+    Matrix4<Scalar> turned = Matrix4<Scalar>::Identity();
     for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < 4; ++k) total(kPoured + i, kPoured + k) += Q(i, k);
-    if (!factorise(total, lower_after)) return;
-    Cross place = Cross::Zero();
-    for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < 4; ++k) place(kPoured + i, k) = noise(i, k);
-    const Cross shown = solve(lower_after, place);  // E[n | x'] = shown^T (x' - E[x'])
-    Matrix4<Scalar> left = noise, turned = Matrix4<Scalar>::Identity();
-    for (int i = 0; i < 4; ++i) {
-      for (int k = 0; k < 4; ++k) {
-        for (int l = 0; l < 4; ++l) left(i, k) -= noise(i, l) * shown(kPoured + l, k);
-        turned(i, k) += dt * G(kPoured + i, k);
-      }
-    }
+      for (int k = 0; k < 4; ++k) turned(i, k) += dt * G(kPoured + i, k);
     const Matrix4<Scalar> back = turned.inverse();
-    X moved = mean_;
-    for (int i = 0; i < 4; ++i) moved[kPoured + i] += dt * rate[i];
     for (int j = 0; j < Dofs; ++j) {
       Joint& joint = this->joint(j);
-      const Beta mean = nuisance_mean(j);
       Eigen::Matrix<Scalar, 4, kJointNuisances> part;
       for (int i = 0; i < 4; ++i)
         for (int n = 0; n < kJointNuisances; ++n) part(i, n) = joint.slope(kPoured + i, n);
       part = detail::product(back, part);
+      const Slope before = joint.slope;
       detail::add_scaled(joint.slope, -dt, Slope(detail::product(G, part)));
-      for (int i = 0; i < 4; ++i)
-        for (int n = 0; n < kJointNuisances; ++n) part(i, n) = joint.slope(kPoured + i, n);
-      detail::add_scaled(joint.slope, Scalar(-1), Slope(detail::product(shown, part)));
-      const Eigen::Matrix<Scalar, 4, kJointNuisances> spread = detail::product(left, part);
-      joint.covariance += detail::transposed_product(part, spread);
-      joint.mean = mean;
-      detail::add_scaled(joint.mean, Scalar(-1), Beta(detail::transposed_product(joint.slope, moved)));
+      // The mean of beta_j stays.
+      for (int n = 0; n < kJointNuisances; ++n) {
+        for (int i = 0; i < kShared; ++i) joint.mean[n] += (before(i, n) - joint.slope(i, n)) * mean_[i];
+        for (int i = 0; i < 4; ++i) joint.mean[n] -= dt * rate[i] * joint.slope(kPoured + i, n);
+      }
     }
-    factor_ = lower_after;
-    mean_ = moved;
-    cross = after;
+    const Eigen::Matrix<Scalar, 4, kShared> moved = detail::transposed_product(G, factor_);
+    for (int i = 0; i < 4; ++i) {
+      mean_[kPoured + i] += dt * rate[i];
+      for (int k = 0; k < kShared; ++k) factor_(kPoured + i, k) += dt * moved(i, k);
+      for (int k = 0; k < 4; ++k) cross(kPoured + i, k) += dt * V(i, k);
+    }
+    diffuse<4>(kPoured, noise);
+  }
+
+  /// From now on a wrench w acts, which answers with s to the compensation: both are independent of everything else.
+  /// Nothing may be poured.
+  /// @param mean, variance  of (w, s)
+  void begin_wrench(const Eigen::Matrix<Scalar, kActing, 1>& mean,
+                    const Eigen::Matrix<Scalar, kActing, 1>& variance) noexcept {
+    using std::sqrt;
+    end_wrench();
+    for (int i = 0; i < kActing; ++i) {
+      mean_[kWrench + i] = mean[i];
+      factor_(kWrench + i, kWrench + i) = sqrt(variance[i]);
+    }
+    size_ = kShared;
+  }
+  /// The wrench has changed by `change`, by s times `answer`, and by noise of covariance `Q`, positive semidefinite. If Q
+  /// is not finite, there is no noise.
+  void disturb(const Vector6<Scalar>& change, const Vector6<Scalar>& answer,
+               const Eigen::Matrix<Scalar, 6, 6>& Q) noexcept {
+    for (int i = 0; i < 6; ++i) {
+      mean_[kWrench + i] += change[i] + answer[i] * mean_[kAnswer];
+      for (int k = 0; k < kShared; ++k) factor_(kWrench + i, k) += answer[i] * factor_(kAnswer, k);
+    }
+    for (Joint& joint : joints_) {  // beta_j depends on the wrench before: w - change - s answer
+      for (int n = 0; n < kJointNuisances; ++n) {
+        for (int i = 0; i < 6; ++i) {
+          joint.mean[n] -= change[i] * joint.slope(kWrench + i, n);
+          joint.slope(kAnswer, n) -= answer[i] * joint.slope(kWrench + i, n);
+        }
+      }
+    }
+    diffuse<6>(kWrench, Q);
+  }
+  /// The wrench acts no longer. It is marginalised: everything else keeps its distribution.
+  void end_wrench() noexcept {
+    if (acts()) marginalise(held_ ? kHeldShared : kArmShared);
+  }
+  /// Mean of (w, s).
+  Eigen::Matrix<Scalar, kActing, 1> wrench_mean() const noexcept { return mean_.template tail<kActing>(); }
+  /// Covariance of (w, s).
+  Eigen::Matrix<Scalar, kActing, kActing> wrench_covariance() const noexcept {
+    return detail::outer_square(Eigen::Matrix<Scalar, kActing, kShared>(factor_.template bottomRows<kActing>()));
   }
 
   /// Cholesky factorisation P = L L^T, L lower triangular, for a positive semidefinite P. A direction whose variance is
@@ -418,6 +449,89 @@ class StarGaussian {
   using Head = Eigen::Map<Eigen::Matrix<Scalar, Size, 1>>;
   template <int Size>
   using ConstHead = Eigen::Map<const Eigen::Matrix<Scalar, Size, 1>>;
+
+  bool pours() const noexcept { return size_ == kPouredShared; }
+
+  /// Adds independent noise of covariance Q to `Size` entries of x. Each beta_j keeps its moments with the old x: its
+  /// slopes change by matrices of rank `Size`. If Q is not finite, nothing changes.
+  template <int Size>
+  void diffuse(int first, const Eigen::Matrix<Scalar, Size, Size>& Q) noexcept {
+    if (!(Q.trace() > 0)) return;
+    XMatrix total = covariance(), lower;
+    for (int i = 0; i < Size; ++i)
+      for (int k = 0; k < Size; ++k) total(first + i, first + k) += Q(i, k);
+    if (!factorise(total, lower)) return;
+    Eigen::Matrix<Scalar, kShared, Size> place = Eigen::Matrix<Scalar, kShared, Size>::Zero();
+    for (int i = 0; i < Size; ++i)
+      for (int k = 0; k < Size; ++k) place(first + i, k) = Q(i, k);
+    const auto shown = solve(lower, place);  // E[n | x'] = shown^T (x' - E[x'])
+    Eigen::Matrix<Scalar, Size, Size> left = Q;
+    for (int i = 0; i < Size; ++i)
+      for (int k = 0; k < Size; ++k)
+        for (int l = 0; l < Size; ++l) left(i, k) -= Q(i, l) * shown(first + l, k);
+    Eigen::Matrix<Scalar, Size, 1> off;  // shown^T E[x']
+    off = detail::transposed_product(shown, mean_);
+    for (int j = 0; j < Dofs; ++j) {
+      Joint& joint = this->joint(j);
+      Eigen::Matrix<Scalar, Size, kJointNuisances> part;
+      for (int i = 0; i < Size; ++i)
+        for (int n = 0; n < kJointNuisances; ++n) part(i, n) = joint.slope(first + i, n);
+      detail::add_scaled(joint.slope, Scalar(-1), Slope(detail::product(shown, part)));
+      joint.mean += detail::transposed_product(part, off);
+      const Eigen::Matrix<Scalar, Size, kJointNuisances> spread = detail::product(left, part);
+      joint.covariance += detail::transposed_product(part, spread);
+    }
+    factor_ = lower;
+  }
+
+  /// Marginalises the entries of x from `first` on. Everything else keeps its distribution.
+  void marginalise(int first) noexcept {
+    const XMatrix P = covariance();
+    XMatrix kept = P, lower;
+    for (int i = 0; i < kShared; ++i)
+      for (int k = 0; k < kShared; ++k)
+        if (i >= first || k >= first) kept(i, k) = Scalar(0);
+    if (!factorise(kept, lower)) return;
+    // Given the other entries x_1, those that go are x_2 = E[x_2] + G^T (x_1 - E[x_1]) + noise of covariance `left`.
+    constexpr int kGoing = kShared - kArmShared;
+    const int going = kShared - first;
+    Eigen::Matrix<Scalar, kShared, kGoing> cross = Eigen::Matrix<Scalar, kShared, kGoing>::Zero();
+    for (int i = 0; i < first; ++i)
+      for (int k = 0; k < going; ++k) cross(i, k) = P(i, first + k);
+    const auto G = solve(lower, cross, going);
+    Eigen::Matrix<Scalar, kGoing, kGoing> left = Eigen::Matrix<Scalar, kGoing, kGoing>::Zero();
+    Eigen::Matrix<Scalar, kGoing, 1> off = Eigen::Matrix<Scalar, kGoing, 1>::Zero();
+    for (int i = 0; i < going; ++i) {
+      off[i] = mean_[first + i];
+      for (int l = 0; l < first; ++l) off[i] -= G(l, i) * mean_[l];
+      for (int k = 0; k <= i; ++k) {
+        Scalar sum = P(first + i, first + k);
+        for (int l = 0; l < first; ++l) sum -= cross(l, i) * G(l, k);
+        left(i, k) = left(k, i) = sum;
+      }
+    }
+    for (Joint& joint : joints_) {
+      Eigen::Matrix<Scalar, kGoing, kJointNuisances> part = Eigen::Matrix<Scalar, kGoing, kJointNuisances>::Zero();
+      for (int i = 0; i < going; ++i) {
+        for (int n = 0; n < kJointNuisances; ++n) {
+          part(i, n) = joint.slope(first + i, n);
+          joint.slope(first + i, n) = Scalar(0);
+          joint.mean[n] += part(i, n) * off[i];
+          for (int l = 0; l < first; ++l) joint.slope(l, n) += G(l, i) * part(i, n);
+        }
+      }
+      for (int n = 0; n < kJointNuisances; ++n) {
+        for (int i = 0; i < going; ++i) {
+          Scalar spread = Scalar(0);
+          for (int k = 0; k < going; ++k) spread += left(i, k) * part(k, n);
+          for (int m = 0; m < kJointNuisances; ++m) joint.covariance(m, n) += part(i, m) * spread;
+        }
+      }
+    }
+    factor_ = lower;
+    for (int i = first; i < kShared; ++i) mean_[i] = Scalar(0);
+    size_ = first;
+  }
 
   template <int Size>
   void predict_shared(const Joint& joint, const JointObservation<Scalar>& o, Prediction& p) const noexcept {
@@ -465,9 +579,13 @@ class StarGaussian {
     return true;
   }
   /// P^-1 R for P = L L^T, in the directions that have variance; the others are zero.
-  static Cross solve(const XMatrix& L, const Cross& R) noexcept {
-    Cross out = R;
-    for (int c = 0; c < 4; ++c) {
+  /// @param columns  number of columns of R that are not zero
+  template <int Columns>
+  static Eigen::Matrix<Scalar, kShared, Columns> solve(const XMatrix& L,
+                                                       const Eigen::Matrix<Scalar, kShared, Columns>& R,
+                                                       int columns = Columns) noexcept {
+    Eigen::Matrix<Scalar, kShared, Columns> out = R;
+    for (int c = 0; c < columns; ++c) {
       for (int i = 0; i < kShared; ++i) {
         out(i, c) = L(i, i) > 0 ? out(i, c) / L(i, i) : Scalar(0);
         for (int k = i + 1; k < kShared; ++k) out(k, c) -= L(k, i) * out(i, c);
@@ -516,6 +634,7 @@ class StarGaussian {
 
   X mean_ = X::Zero();
   XMatrix factor_ = XMatrix::Zero();  // F
+  bool held_ = false;                 // something is in the hand
   int size_ = kArmShared;             // entries of x that are not zero for certain; the others have zero slopes
   std::array<Joint, static_cast<std::size_t>(Dofs)> joints_;
 };

@@ -13,16 +13,16 @@ namespace rme {
 /// A story: what it says of the last block, which payload is held, and the filter that follows from it.
 template <typename Scalar, int Dofs>
 struct Story {
-  StarGaussian<Scalar, Dofs> star;        ///< while changing or disturbed, the payload is as it was before
-  Disturbance<Scalar, Dofs> disturbance;  ///< of Mode::Disturbed
-  Pour<Scalar, Dofs> pour;                ///< of Mode::Pouring
-  Mode mode = Mode::Empty;                ///< of the last block
-  Disturbing how = Disturbing::Hand;      ///< of Mode::Disturbed
-  bool quick = false;                     ///< of Mode::Pouring: it is taken up quickly
-  int payload = 0;                        ///< which payload is held; 0 for none
-  int next = 1;                           ///< name of the payload that will be held next
-  Scalar log_weight = Scalar(0);          ///< log probability
-  Scalar log_plausible = Scalar(0);       ///< log probability that the mass is plausible, as counted so far
+  StarGaussian<Scalar, Dofs> star;    ///< while changing or disturbed, the payload is as it was before
+  Pour<Scalar, Dofs> pour;            ///< of Mode::Pouring
+  Mode mode = Mode::Empty;            ///< of the last block
+  Disturbing how = Disturbing::Hand;  ///< of Mode::Disturbed
+  bool soft = false;                  ///< of Mode::Disturbed: the wrench began with nothing
+  bool quick = false;                 ///< of Mode::Pouring: it is taken up quickly
+  int payload = 0;                    ///< which payload is held; 0 for none
+  int next = 1;                       ///< name of the payload that will be held next
+  Scalar log_weight = Scalar(0);      ///< log probability
+  Scalar log_plausible = Scalar(0);   ///< log probability that the mass is plausible, as counted so far
   /// Log density at phi = 0 of the prior that the payload was drawn from; only if it was drawn, and nothing poured since.
   std::optional<Scalar> log_none;
 

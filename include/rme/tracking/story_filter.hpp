@@ -23,6 +23,7 @@ class StoryFilter {
  public:
   using Star = StarGaussian<Scalar, Dofs>;       ///< state of a filter
   using Model = JointTorqueModel<Scalar, Dofs>;  ///< model of the arm
+  using Acts = Disturbance<Scalar, Dofs>;        ///< what a wrench does
   using Tale = Story<Scalar, Dofs>;              ///< a story
   using Torque = JointVector<Scalar, Dofs>;      ///< one number per joint
   /// Innovations of a block, unless it is disturbed.
@@ -59,12 +60,15 @@ class StoryFilter {
     model_.predict(child.star);
     if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) child.star.end_pour();
     if (child.mode == Mode::Disturbed) {
-      if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt)
-        child.disturbance.begin(rated_);
-      else
-        child.disturbance.predict(child.how, duration, rated_);
-      return child.disturbance.observe(model_, child.star, child.how, log_jolt(), rated_, out.squared);
+      if (child.star.acts()) {
+        Acts::predict(model_, child.star, child.how, rated_);
+      } else if (child.how != Disturbing::Jolt) {
+        child.soft = transition.soft;
+        Acts::begin(child.star, rated_, child.soft);
+      }
+      return Acts::observe(model_, child.star, child.how, log_jolt(), rated_, out.squared);
     }
+    if (!transition.turned) child.star.end_wrench();
     if (transition.turned) return turn(child, parent, children, out);
     if (child.mode == Mode::Changing) {
       if (model_.kind().draws) {
@@ -74,10 +78,7 @@ class StoryFilter {
         draw(drawn, children.first(), out);
         return update(drawn, out) + log_plausible(drawn.star, kLightest);
       }
-      Star star = child.star;
-      Disturbance<Scalar, Dofs> anything;
-      anything.begin(rated_);
-      return anything.observe(model_, star, Disturbing::Hand, kNone, rated_, out.squared);
+      return Acts::anything(model_, child.star, rated_, out.squared);
     }
     if (transition.never) {
       // docs/theory.md (T51)
@@ -127,13 +128,14 @@ class StoryFilter {
   /// times how much better or worse a payload explains what is known of the wrench.
   template <typename Children>
   Scalar turn(Tale& child, const Tale& parent, Children& children, Innovation& out) noexcept {
-    Tale& wrench = children.drawn();
-    wrench.star = child.star;
-    wrench.disturbance = parent.disturbance;
-    wrench.disturbance.predict(parent.how, model_.block().duration, rated_);
-    Scalar log_likelihood =
-        wrench.disturbance.observe(model_, wrench.star, parent.how, log_jolt(), rated_, out.squared);
-    log_likelihood += wrench.disturbance.weigh(model_, child.star, payload_, rated_);
+    Star& wrench = children.drawn().star;
+    wrench = child.star;
+    Acts::predict(model_, wrench, parent.how, rated_);
+    Scalar log_likelihood = Acts::observe(model_, wrench, parent.how, log_jolt(), rated_, out.squared);
+    const Scalar weighed = Acts::weigh(model_, wrench, payload_, rated_);
+    // What began softly has paid nothing for its size, so that a payload has nothing to gain from having a smaller prior.
+    log_likelihood += child.soft ? std::min(Scalar(0), weighed) : weighed;
+    child.star.end_wrench();
     child.payload = child.take_next();
     draw(child, children.first(), out);
     child.log_none.reset();  // the blocks before were a wrench's
@@ -145,7 +147,6 @@ class StoryFilter {
   /// Log probability that a jolt hides a disturbance in a block.
   Scalar log_jolt() const noexcept { return static_cast<Scalar>(std::log(model_.kind().jolt)); }
 
-  static constexpr Scalar kNone = -std::numeric_limits<Scalar>::infinity();
   static constexpr double kLightest = 0.007, kHeaviest = 1.2;  // times the rated payload: 20 g and 3.6 kg on a Panda
 
   /// Draws a new payload. The prior of m r needs the mass, and the block itself shows the mass best. So the prior is for

@@ -36,13 +36,20 @@ struct TorqueBlock {
   /// noise of the torque, m^2 times as large per axis. 0 if the host gives the motion.
   Scalar acceleration_variance = Scalar(0);
   Scalar angular_acceleration_variance = Scalar(0);  ///< the same of the angular acceleration [(rad/s^2)^2]
-  /// Mean of what the host adds to its command for the payload [N m], averaged like tau; absent unless the samples of
-  /// more than half of the block have it.
-  std::optional<JointVector<Scalar, Dofs>> carried = std::nullopt;
+  /// What the host adds to its command for the payload, averaged like tau [N m].
+  JointVector<Scalar, Dofs> carried = JointVector<Scalar, Dofs>::Zero();
   Scalar observer_time =
       Scalar(0.02);  ///< time constant of the stated observer [s]; that of 50 rad/s if none is stated
   /// The last sample's: the arm's own gravity torque per unit of gravity along each world axis [N m / (m/s^2)].
   std::optional<Eigen::Matrix<Scalar, Dofs, 3>> gravity_torque = std::nullopt;
+};
+
+/// How the wrench at the tip answers to the compensation if the hand cannot move: by minus the wrench that the compensation
+/// exerts, after the delay of drive and contact.
+template <typename Scalar>
+struct Answer {
+  Vector6<Scalar> change = Vector6<Scalar>::Zero();   ///< since the last block [N, N m]
+  Vector6<Scalar> pending = Vector6<Scalar>::Zero();  ///< that comes later [N, N m]
 };
 
 /// What is known of a block in addition to its samples.
@@ -53,6 +60,7 @@ struct BlockContext {
   bool friction_shows = false;   ///< it is certain that tau_ext contains joint friction
   /// Change of the commanded compensation since the last block [N m].
   JointVector<Scalar, Dofs> compensation_change = JointVector<Scalar, Dofs>::Zero();
+  Answer<Scalar> answer;  ///< of a hand that cannot move
 };
 
 /// Averages samples over blocks.
@@ -155,9 +163,7 @@ class BlockAverager {
   JointVector<Scalar, Dofs> unmeasured_;  // the same over the parts whose motion the host does not give
   Scalar unmeasured_weight_ = Scalar(0);
   Scalar shape_ = Scalar(0), roughness_ = Scalar(0);  // last sample's weight; sum of the squared changes of the weights
-  JointVector<Scalar, Dofs> carried_;                 // weighted sum of the compensation
-  Scalar carried_weight_ = Scalar(0);
-  JointVector<Scalar, Dofs> squares_;  // sum of the squared second differences of dq, over 6
+  JointVector<Scalar, Dofs> squares_;                 // sum of the squared second differences of dq, over 6
   TorqueBlock<Scalar, Dofs> sums_, block_;
   JointVector<Scalar, Dofs> noise_ = JointVector<Scalar, Dofs>::Constant(Scalar(1e-8));  // of dq [(rad/s)^2]
   int noise_blocks_ = 0;       // number of blocks that noise_ is the mean of, at most kNoiseMemory - 1
@@ -170,10 +176,10 @@ template <typename Scalar, int Dofs>
 void BlockAverager<Scalar, Dofs>::begin() noexcept {
   begin_part();
   parts_ = differences_ = 0;
-  duration_ = weight_ = unmeasured_weight_ = carried_weight_ = shape_ = roughness_ = Scalar(0);
+  duration_ = weight_ = unmeasured_weight_ = shape_ = roughness_ = Scalar(0);
   changes_.setZero();
   unmeasured_.setZero();
-  carried_.setZero();
+  sums_.carried.setZero();
   sums_.tau.setZero();
   sums_.torque_rate.setZero();
   sums_.regressor.setZero();
@@ -280,10 +286,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   detail::add_scaled(part_difference_, shape, difference_);
   roughness_ += (shape - shape_) * (shape - shape_);
   shape_ = shape;
-  if (sample.compensation) {
-    detail::add_scaled(carried_, weight, *sample.compensation);
-    carried_weight_ += weight;
-  }
+  if (sample.compensation) detail::add_scaled(sums_.carried, weight, *sample.compensation);
   part_duration_ += h;
   part_weight_ += weight;
   detail::add_scaled(part_change_.linear, shape, detail::difference(twist.linear, last_twist_.linear));
@@ -317,10 +320,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
     for (int j = 0; j < Dofs; ++j) sums_.velocities(j, i) = sums_.velocities(j, parts_ - 1);
   learn_noise();
   shrink();
-  if (carried_weight_ > Scalar(0.5) * weight_)
-    sums_.carried = detail::scaled(Scalar(1) / carried_weight_, carried_);
-  else
-    sums_.carried.reset();
+  sums_.carried /= weight_;
   sums_.gravity_torque = sample.gravity_torque;
   sums_.velocity_noise = noise_;
   sums_.torque_step = step_;

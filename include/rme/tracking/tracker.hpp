@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <rme/core/cholesky.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
@@ -68,14 +69,17 @@ class Tracker {
     BlockContext<Scalar, Dofs> context;
     context.exchange_likely = exchange_likely;
     context.friction_shows = belief_.sensing[static_cast<std::size_t>(Sensing::LinkSide)] < Scalar(kCertain);
-    JointVector<Scalar, Dofs> carried;
-    if (block.carried)
-      carried = *block.carried;
-    else
-      carried = detail::product(block.regressor, detail::scaled(Scalar(-1), carried_body()));
-    if (carries_) context.compensation_change = detail::difference(carried, carried_);
+    const Vector6<Scalar> wrench = wrench_of(block.jacobian, block.carried);
+    if (carries_) {
+      context.compensation_change = detail::difference(block.carried, carried_);
+      answer_.pending += detail::difference(wrench_, wrench);
+      answer_.change = detail::scaled(1 - std::exp(-duration_ / Scalar(kDelay)), answer_.pending);
+      answer_.pending -= answer_.change;
+      context.answer = answer_;
+    }
     carries_ = true;
-    carried_ = carried;
+    carried_ = block.carried;
+    wrench_ = wrench;
     for (std::size_t k = 0; k < kSensings; ++k) {
       context.log_share = static_cast<Scalar>(evidence_[k]);
       kinds_[k].begin(block, regime_, context, children_);
@@ -166,15 +170,17 @@ class Tracker {
   static constexpr double kDecided = 300;
   static constexpr double kUnlikely = 1e-5;  // probability below which a kind computes less
   static constexpr double kCertain = 1e-6;   // probability of link-side sensing below which friction is certain to show
+  static constexpr double kDelay = 0.02;     // time constant until contact answers to the compensation: drive, arm [s]
   static constexpr double kLargestHealth = 100;
   static constexpr double kDisturbed = 0.9;  // share of a block's weight that is lost while something disturbs
   static constexpr double kFullSpeed = 0.2;  // norm of dq from which a block has its full weight [rad/s]
 
-  /// What the host carries, as far as the tracker knows: the payload, and what the robot's own model lacks.
-  InertialVector<Scalar> carried_body() const noexcept {
-    InertialVector<Scalar> phi = detail::scaled(Scalar(1) - belief_.empty, belief_.payload.mean);
-    for (int i = 0; i < 4; ++i) phi[i] += belief_.tool[i];
-    return phi;
+  /// The smallest wrench at the tip with this torque; near a singularity, of what the torques show.
+  static Vector6<Scalar> wrench_of(const Jacobian<Scalar, Dofs>& J, const JointVector<Scalar, Dofs>& torque) noexcept {
+    Eigen::Matrix<Scalar, 6, 6> square = detail::outer_square(J);
+    for (int i = 0; i < 6; ++i) square(i, i) += Scalar(1e-3);
+    const Cholesky<Scalar, 6> factor(square);
+    return factor.positive_definite() ? factor.solve(detail::product(J, torque)) : Vector6<Scalar>::Zero().eval();
   }
   void settle() noexcept {
     while (busy_) advance();
@@ -292,7 +298,9 @@ class Tracker {
   TrackerBelief<Scalar> belief_;
   Vector3<Scalar> last_axis_ = Vector3<Scalar>::Zero();  // axis of the last joint, in end-effector axes
   JointVector<Scalar, Dofs> carried_ = JointVector<Scalar, Dofs>::Zero();  // compensation in the last block [N m]
-  bool carries_ = false;                                                   // there was a last block
+  Vector6<Scalar> wrench_ = Vector6<Scalar>::Zero();                       // wrench of it
+  Answer<Scalar> answer_;
+  bool carries_ = false;  // there was a last block
 };
 
 }  // namespace rme

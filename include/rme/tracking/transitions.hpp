@@ -15,6 +15,7 @@ struct Transition {
   double probability = 0;             ///< given the story
   bool goes_on = false;               ///< nothing begins or ends
   Disturbing how = Disturbing::Hand;  ///< of Mode::Disturbed
+  bool soft = false;                  ///< of Mode::Disturbed: the wrench begins with nothing
   bool quick = false;                 ///< of Mode::Pouring: it is taken up quickly
   bool anew = false;                  ///< of Mode::Held: a payload is drawn from the prior
   bool late = false;                  ///< of such a payload: the change has shown that the observer is not as stated
@@ -31,6 +32,7 @@ struct Transitions {
   static constexpr double kAtOnce = 0.3;      ///< no block lies between the old payload, or none, and the new: as a
                                               ///< share of SensingKind::change, to a new payload and to an empty hand;
                                               ///< and a payload turns out never to have been there
+  static constexpr double kTouches = 2e-4;    ///< something begins to touch softly
   static constexpr double kPourEnds = 4e-3;   ///< a pour ends
   static constexpr double kQuickEnds = 0.03;  ///< what is taken up slowly is taken up
   static constexpr double kSettles = 0.25;    ///< a change ends in a new payload
@@ -47,7 +49,7 @@ struct Transitions {
   static constexpr double kLate = 0.5;
   static constexpr int kSlow = 10;  ///< blocks from one pour that begins to the next
   static constexpr int kSoon = 5;   ///< blocks from one pour that ends, or wrench that turns out a weight, to the next
-  static constexpr int kMost = 8;   ///< most transitions of one story
+  static constexpr int kMost = 9;   ///< most transitions of one story
 
   /// Calls use(transition) for each transition of a story.
   /// @param story      the parent
@@ -83,9 +85,9 @@ struct Transitions {
       case Mode::Held: {
         const bool empty = story.mode == Mode::Empty;
         const double pours = (empty ? kFills : kPours) * kind.slowly, takes_up = empty ? kind.takes_up : 0;
-        const double at_once = kAtOnce * change;
+        const double at_once = kAtOnce * change, touches = kTouches * kind.slowly;
         const double never = !empty && story.log_none ? at_once : 0;
-        goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up);
+        goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up - touches);
         if (takes_up > 0) {
           Transition quickly = to(Mode::Pouring, takes_up);
           quickly.quick = true;
@@ -99,7 +101,13 @@ struct Transitions {
           disturbed(kDisturbs, Disturbing::Hand);
           disturbed(kind.jolt, Disturbing::Jolt);
         }
-        if (slow) use(to(Mode::Pouring, pours * kSlow));
+        if (slow) {
+          use(to(Mode::Pouring, pours * kSlow));
+          Transition touch = to(Mode::Disturbed, touches * kSlow);
+          touch.how = Disturbing::Growing;
+          touch.soft = true;
+          use(touch);
+        }
         if (!empty && !explained) use(to(Mode::Empty, at_once));
         if (never > 0 && slow) {
           Transition none = to(Mode::Empty, never * kSlow);
