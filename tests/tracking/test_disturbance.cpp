@@ -91,7 +91,7 @@ Measured measured(const Model& model, double mass, bool acts) {
   Measured out;
   for (int j = 0; j < kDofs; ++j) {
     auto o = model.observation(j, mass);
-    o.h.tail<rme::kActing>().setZero();
+    o.h.segment<rme::kActing>(rme::kWrench).setZero();
     if (acts) o.h.segment<6>(rme::kWrench) = model.block().jacobian.col(j);
     out.H.row(j) = Dense::row(j, o).transpose();
     out.R(j, j) = o.noise;
@@ -304,7 +304,7 @@ TEST_CASE("Disturbance: a wrench that acts like a weight has the noise of that w
     Disturbance::observe(model, star, Disturbing::Still, kNone, kRated, squared);
     for (int j = 0; j < kDofs; ++j) {
       auto o = model.observation(j, -weight / 9.81);
-      o.h.tail<rme::kActing>().setZero();
+      o.h.segment<rme::kActing>(rme::kWrench).setZero();
       const auto p = copy.predict(j, o);
       expected += p.innovation * p.innovation / p.variance;
     }

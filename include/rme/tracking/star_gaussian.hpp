@@ -21,11 +21,14 @@ enum Shared : int {
   kWrench = 17,  ///< w, what else acts at the end-effector origin: force and moment, world axes, 6 entries [N, N m]
   kAnswer = 23,  ///< s, how w answers to the compensation: 1 if the hand cannot move, 0 for a weight (no unit)
 };
-inline constexpr int kArmShared = kPayload;        ///< number of shared unknowns of an empty hand
-inline constexpr int kHeldShared = kPoured;        ///< the same, if something is held
-inline constexpr int kPouredShared = kPoured + 4;  ///< the same, if something is poured
-inline constexpr int kActing = 7;                  ///< number of unknowns of a wrench: w and s
-inline constexpr int kShared = kWrench + kActing;  ///< number of shared unknowns while a wrench acts: all of them
+inline constexpr int kArmShared = kPayload;           ///< number of shared unknowns of an empty hand
+inline constexpr int kHeldShared = kPoured;           ///< the same, if something is held
+inline constexpr int kPouredShared = kPoured + 4;     ///< the same, if something is poured
+inline constexpr int kActing = 7;                     ///< number of unknowns of a wrench: w and s
+inline constexpr int kAllShared = kWrench + kActing;  ///< number of shared unknowns while a wrench acts: all of them
+/// Number of entries of x; those after kAllShared are zero. It is odd: if columns of doubles began at multiples of 16 bytes,
+/// g++ 12 would vectorise loops over parts of them with aligned loads, also where a part begins between two such multiples.
+inline constexpr int kShared = kAllShared + 1;
 template <typename Scalar>
 using SharedVector = Eigen::Matrix<Scalar, kShared, 1>;  ///< x, in the order of Shared
 template <typename Scalar>
@@ -73,11 +76,11 @@ struct JointObservation {
 template <typename Scalar, int Dofs>
 class StarGaussian {
  public:
-  using X = SharedVector<Scalar>;                                 ///< 24x1
-  using XMatrix = SharedMatrix<Scalar>;                           ///< 24x24
+  using X = SharedVector<Scalar>;                                 ///< 25x1
+  using XMatrix = SharedMatrix<Scalar>;                           ///< 25x25
   using Beta = JointNuisanceVector<Scalar>;                       ///< 5x1
   using BetaMatrix = JointNuisanceMatrix<Scalar>;                 ///< 5x5
-  using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 24x5
+  using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 25x5
   using Cross = Eigen::Matrix<Scalar, kShared, 4>;                ///< covariance of x and four other unknowns
   /// Gaussian of beta_j given x.
   struct Joint {
@@ -86,9 +89,9 @@ class StarGaussian {
     BetaMatrix covariance = BetaMatrix::Zero();  ///< V_j
   };
 
-  bool empty() const noexcept { return !held_; }           ///< whether the hand is empty for certain
-  bool acts() const noexcept { return size_ == kShared; }  ///< whether a wrench acts
-  const X& mean() const noexcept { return mean_; }         ///< of x
+  bool empty() const noexcept { return !held_; }              ///< whether the hand is empty for certain
+  bool acts() const noexcept { return size_ == kAllShared; }  ///< whether a wrench acts
+  const X& mean() const noexcept { return mean_; }            ///< of x
   XMatrix covariance() const noexcept { return detail::outer_square(factor_); }  ///< of x, F F^T
   /// Mean of the payload's mass [kg].
   Scalar mass() const noexcept { return mean_[kPayload] + (pours() ? mean_[kPoured] : Scalar(0)); }
@@ -179,7 +182,7 @@ class StarGaussian {
     else if (size_ == kPouredShared)
       predict_shared<kPouredShared>(joint, o, p);
     else
-      predict_shared<kShared>(joint, o, p);
+      predict_shared<kAllShared>(joint, o, p);
     return p;
   }
   /// Updates the state with an observation (docs/theory.md (T17, T18)).
@@ -193,7 +196,7 @@ class StarGaussian {
     else if (size_ == kPouredShared)
       observe_shared<kPouredShared>(p);
     else
-      observe_shared<kShared>(p);
+      observe_shared<kAllShared>(p);
     observe_nuisances(j, p);
   }
   /// Updates only the nuisances of joint j, given x; x keeps its distribution (Schmidt's filter; docs/theory.md (T18)).
@@ -388,7 +391,7 @@ class StarGaussian {
       mean_[kWrench + i] = mean[i];
       factor_(kWrench + i, kWrench + i) = sqrt(variance[i]);
     }
-    size_ = kShared;
+    size_ = kAllShared;
   }
   /// The wrench has changed by `change`, by s times `answer`, and by noise of covariance `Q`, positive semidefinite. If Q
   /// is not finite, there is no noise.
@@ -413,10 +416,10 @@ class StarGaussian {
     if (acts()) marginalise(held_ ? kHeldShared : kArmShared);
   }
   /// Mean of (w, s).
-  Eigen::Matrix<Scalar, kActing, 1> wrench_mean() const noexcept { return mean_.template tail<kActing>(); }
+  Eigen::Matrix<Scalar, kActing, 1> wrench_mean() const noexcept { return mean_.template segment<kActing>(kWrench); }
   /// Covariance of (w, s).
   Eigen::Matrix<Scalar, kActing, kActing> wrench_covariance() const noexcept {
-    return detail::outer_square(Eigen::Matrix<Scalar, kActing, kShared>(factor_.template bottomRows<kActing>()));
+    return detail::outer_square(Eigen::Matrix<Scalar, kActing, kShared>(factor_.template middleRows<kActing>(kWrench)));
   }
 
   /// Cholesky factorisation P = L L^T, L lower triangular, for a positive semidefinite P. A direction whose variance is
