@@ -33,8 +33,6 @@ class FrictionRegime {
     using std::abs;
     using std::sqrt;
     const auto samples = static_cast<Scalar>(std::max(1, block.samples));
-    const bool last = any_moves_;
-    any_moves_ = false;
     for (int j = 0; j < Dofs; ++j) {
       const Scalar noise = block.velocity_noise[j];
       const Scalar threshold = std::max(Scalar(kMoves), Scalar(kDeviations) * sqrt(kBlockParts * noise / samples));
@@ -53,13 +51,11 @@ class FrictionRegime {
       joint.resting = Scalar(1) - Scalar(moving) / kBlockParts;
       const bool rests = !(abs(block.velocities(j, kBlockParts - 1)) > threshold);
       joint.stops = rests && !rested;
-      any_moves_ = any_moves_ || moving > 0;
       joint_rests_[static_cast<std::size_t>(j)] = rests;
     }
     // Noise of dq alone must not count as motion: three standard deviations of the norm of the block's mean dq.
     const Scalar noise = block.velocity_noise.sum() / samples;
     arm_moves_ = block.velocity.norm() > std::max(Scalar(kArmMoves), 3 * sqrt(noise));
-    loosens_ = arm_moves_ || any_moves_ || last;
   }
   /// State of joint j in the last block, j from 0 to Dofs - 1.
   const JointFriction<Scalar>& joint(int j) const noexcept { return joints_[static_cast<std::size_t>(j)]; }
@@ -67,9 +63,6 @@ class FrictionRegime {
   bool rests(int j) const noexcept { return joint_rests_[static_cast<std::size_t>(j)]; }
   /// Whether any joint moved in the last block: the stiction of a resting joint may then change.
   bool arm_moves() const noexcept { return arm_moves_; }
-  /// Whether any joint moved, however little, in the last block or in the one before: a resting joint may have come loose
-  /// and have stuck again, and where friction has brought a joint to rest, it need not hold what it held in motion.
-  bool loosens() const noexcept { return loosens_; }
 
   /// At first, all joints rest.
   FrictionRegime() noexcept { joint_rests_.fill(true); }
@@ -80,7 +73,7 @@ class FrictionRegime {
   static constexpr double kDeviations = 4.5;  // by noise alone, seven joints at rest exceed them once in two minutes
   std::array<JointFriction<Scalar>, static_cast<std::size_t>(Dofs)> joints_{};
   std::array<bool, static_cast<std::size_t>(Dofs)> joint_rests_{};
-  bool arm_moves_ = false, any_moves_ = false, loosens_ = false;
+  bool arm_moves_ = false;
 };
 
 }  // namespace rme

@@ -130,7 +130,7 @@ class JointTorqueModel {
   /// @param star  has the joint's Coulomb friction
   /// @param j     0 .. Dofs - 1
   Scalar stiction_jump(const Star& star, int j) const noexcept {
-    if (regime_.joint(j).resting < 1 || !regime_.loosens()) return Scalar(0);
+    if (regime_.joint(j).resting < 1 || !regime_.arm_moves()) return Scalar(0);
     return Scalar(kJump) * stiction_variance(star, j);
   }
   /// Adds the offsets' prior variances to their variances.
