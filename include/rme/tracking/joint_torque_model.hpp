@@ -176,6 +176,7 @@ class JointTorqueModel {
   }
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   void follow_compensation(const TorqueBlock<Scalar, Dofs>& block, const BlockContext<Scalar, Dofs>& context) noexcept;
+  void balance(Star& star, int j) const noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   /// Stationary variance of the stiction [(N m)^2]. The standard deviation is 0.6 of the prior's Coulomb friction, and
   /// at most the Coulomb friction that motion has shown; what the kind adds to it is in proportion to the residual.
@@ -200,8 +201,9 @@ class JointTorqueModel {
   // How far friction has turned over in this block, and the decaying maximum of that (turn()).
   Torque turned_ = Torque::Zero(), turning_ = Torque::Zero();
   // Per joint [N m]: average of the torque over the last 0.08 s; change of the motor's torque in this block
-  // (follow_torque(), follow_compensation()); changes of the compensation that tau_ext does not show yet.
-  Torque recent_torque_ = Torque::Zero(), torque_change_ = Torque::Zero(), pending_ = Torque::Zero();
+  // (follow_torque()); changes of the compensation that tau_ext does not show yet, and that it shows in this block
+  // (follow_compensation()).
+  Torque recent_torque_ = Torque::Zero(), torque_change_ = Torque::Zero(), pending_ = Torque::Zero(), balanced_ = Torque::Zero();
   Vector3<Scalar> gravity_;
   Answer<Scalar> answer_;
   Eigen::Matrix<Scalar, Dofs, 2> tilt_ = Eigen::Matrix<Scalar, Dofs, 2>::Zero();  // d tau / d tilt [N m/rad]
@@ -277,21 +279,43 @@ void JointTorqueModel<Scalar, Dofs>::follow_torque(const TorqueBlock<Scalar, Dof
   }
 }
 
-/// If friction holds a joint, its torque changes by as much as the compensation does, whatever the hand holds. So the
-/// joint seems to confirm any compensation. Slow changes of the compensation are lost in the noise of the torque, but
-/// they are known.
+/// How much of the compensation's change tau_ext shows in this block, if friction holds the joint.
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::follow_compensation(const TorqueBlock<Scalar, Dofs>& block,
                                                          const BlockContext<Scalar, Dofs>& context) noexcept {
-  using std::abs;
-  using std::exp;
-  constexpr double kDelay = 0.04;  // time constant until tau_ext shows a new compensation: drive, arm, observer [s]
-  const Scalar keep = exp(-block.duration / Scalar(kDelay));
+  constexpr double kDelay = 0.02;  // time constant until tau_ext shows a new compensation: drive, arm [s]
+  const Scalar keep = std::exp(-block.duration / Scalar(kDelay));
   for (int j = 0; j < Dofs; ++j) {
-    pending_[j] += abs(context.compensation_change[j]);
-    if (context.friction_shows) torque_change_[j] += (Scalar(1) - keep) * pending_[j];
+    pending_[j] += context.compensation_change[j];
+    balanced_[j] = (Scalar(1) - keep) * pending_[j];
     pending_[j] *= keep;
   }
+}
+
+/// Friction that holds a joint balances what the compensation adds, whatever the hand holds, as far as it is able to: it
+/// stays between -Coulomb and Coulomb. So the joint seems to confirm any compensation. A small change C of the compensation
+/// moves stiction s by -C where s, on that side, is within its bound, and not at all where it is not:
+/// E[s'] = E[s] - C p and cov(s', s) = (1 - |C| f) var(s), with p = P(s is within) and f the density at the bound.
+template <typename Scalar, int Dofs>
+void JointTorqueModel<Scalar, Dofs>::balance(Star& star, int j) const noexcept {
+  using std::abs;
+  using std::sqrt;
+  constexpr double kShare = 0.2;   // standard deviation of the share of C that friction balances where it is able to
+  constexpr double kTiming = 0.2;  // share of what is pending that may come sooner or later
+  const Scalar size = abs(balanced_[j]), towards = balanced_[j] > 0 ? Scalar(-1) : Scalar(1);
+  const auto mean = star.nuisance_mean(j);
+  const auto covariance = star.nuisance_covariance(j);
+  const Scalar spread = sqrt(covariance(kStiction, kStiction) + covariance(kCoulomb, kCoulomb));
+  if (!(spread > 0)) return;
+  const Scalar z = (abs(mean[kCoulomb]) - towards * mean[kStiction]) / spread;
+  const Scalar within = Scalar(0.5) * std::erfc(-z / sqrt(Scalar(2)));
+  const Scalar density = std::exp(Scalar(-0.5) * z * z) / (sqrt(Scalar(2 * 3.14159265358979)) * spread);
+  const Scalar keep = std::max(Scalar(0), 1 - size * density);
+  renew(star, j, kStiction, keep, Scalar(0));
+  auto& joint = star.joint(j);
+  joint.covariance(kStiction, kStiction) += (within * (1 - within) + Scalar(kShare * kShare)) * size * size +
+                                            Scalar(kTiming * kTiming) * pending_[j] * pending_[j];
+  joint.mean[kStiction] += mean[kStiction] + towards * size * within - star.nuisance_mean(j)[kStiction];
 }
 
 /// Computes how far each joint's friction has turned over since the last block: the change of v / (|v| + kTurns), which
@@ -349,6 +373,7 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
     } else if (regime_.rests(j)) {
       const Scalar change = regime_.arm_moves() || friction_shows_ ? torque_change_[j] : Scalar(0);
       renew(star, j, kStiction, hold * exp(-change / arm_.coulomb[j]), stiction_variance(star, j));
+      balance(star, j);
     }
   }
 }
