@@ -76,9 +76,7 @@ class Estimator {
   /// @param rotation  R, end-effector axes to world axes
   /// @param motion    of the end effector that is commanded, world axes; if it is not plausible, it counts as zero
   Torque payload_torque(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
-                        const FlangeMotion<Scalar>& motion) const noexcept {
-    return torque(guard_.share(), jacobian, rotation, motion);
-  }
+                        const FlangeMotion<Scalar>& motion) const noexcept;
 
   /// Says that the hand is empty. This call and the four below tell the estimator what the host knows. None of them is
   /// needed. If the samples contradict what the host says, the estimate follows the samples.
@@ -130,9 +128,6 @@ class Estimator {
   Scalar excess() const noexcept {
     return std::max(Scalar(1), state_.health / Scalar(EstimatorState<Scalar>::kHealthy));
   }
-  /// Torque for payload and tool if the guard leaves this share of the payload.
-  Torque torque(Scalar guard, const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
-                const FlangeMotion<Scalar>& motion) const noexcept;
   void process() noexcept;
   void publish() noexcept;
   void forget(double dt) noexcept;
@@ -148,9 +143,7 @@ class Estimator {
   EstimatorState<Scalar> state_;
   Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();  // of the last good sample
   Matrix3<Scalar> rotation_ = Matrix3<Scalar>::Identity();
-  // After the last good sample [N m]: compensation() without the removal guard, and by how much that is more. The guard
-  // follows the torque within milliseconds. Counted as a cause of it, a removal would look like contact that answers.
-  Torque carried_ = Torque::Zero(), guarded_ = Torque::Zero();
+  Torque carried_ = Torque::Zero();                                   // compensation() after the last good sample [N m]
   int steps_per_tick_;
   double expected_ = 0;  // how long a change is still expected [s]
   bool contact_ = false;
@@ -186,10 +179,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   const double dt = in.period > 0 ? in.period : dt_;
   Proprioception<Scalar, Dofs> sample = in;
   sample.tau_ext *= Scalar(static_cast<int>(config_.torque_sign));
-  if (sample.compensation)
-    *sample.compensation += guarded_;
-  else
-    sample.compensation = carried_;
+  if (!sample.compensation) sample.compensation = carried_;
   state_.time += dt;
   if (!stale_.update(in.tau_ext, in.dq, dt)) {
     averager_.clear();
@@ -207,8 +197,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   // With a Jacobian of zeros, tau_ext does not depend on the payload.
   if (complete && !contact_ && in.jacobian.squaredNorm() > 0) tracker_.begin(averager_.block(), expected_ > 0);
   process();
-  carried_ = torque(Scalar(1), jacobian_, rotation_, FlangeMotion<Scalar>());
-  guarded_ = detail::difference(carried_, compensation(jacobian_, rotation_));
+  carried_ = compensation(jacobian_, rotation_);
   return Status::Ok;
 }
 
@@ -275,10 +264,9 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
 }
 
 template <typename Scalar, int Dofs>
-auto Estimator<Scalar, Dofs>::torque(Scalar guard, const Jacobian<Scalar, Dofs>& jacobian,
-                                     const Matrix3<Scalar>& rotation, const FlangeMotion<Scalar>& motion) const noexcept
-    -> Torque {
-  InertialVector<Scalar> phi = detail::scaled(share() * guard, body());
+auto Estimator<Scalar, Dofs>::payload_torque(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
+                                             const FlangeMotion<Scalar>& motion) const noexcept -> Torque {
+  InertialVector<Scalar> phi = detail::scaled(share() * guard_.share(), body());
   for (int i = 0; i < 4; ++i) phi[i] += state_.tool[i];
   const bool good = plausible(jacobian) && plausible(rotation);
   const bool moves = plausible(motion.angular_velocity) && plausible(motion.linear_acceleration) &&
