@@ -59,7 +59,7 @@ struct Disturbance {
     const double share = how == Disturbing::Hand ? kTremble : how == Disturbing::Growing ? kOwn : 0;
     Eigen::Matrix<Scalar, 6, 6> noise = Eigen::Matrix<Scalar, 6, 6>::Zero();
     for (int i = 0; i < 6; ++i) noise(i, i) = Scalar(share * share) * blocks * any(rated, i);
-    detail::add_outer(noise, detail::scaled(Scalar(kTiming * kTiming), answer.pending), answer.pending);
+    detail::add_outer(noise, detail::scaled(Scalar(kTiming * kTiming), answer.timing), answer.timing);
     // Where the hand is held is not known: so the force of an answer is known, but not its moment.
     Scalar force = Scalar(0);
     for (int i = 0; i < 3; ++i) force += answer.change[i] * answer.change[i];
@@ -187,7 +187,7 @@ struct Disturbance {
   static constexpr double kGrowth = 0.06;       // its growth along itself in kTrembleTime, per rated payload [N/kg]
   static constexpr double kAnew = 1e-3;         // probability per block that a hand pushes anew, in any way
   static constexpr double kAnswers = 0.5;       // mean and standard deviation of s: from not at all to completely
-  static constexpr double kTiming = 0.5;        // share of what is pending of an answer that may come sooner or later
+  static constexpr double kTiming = 0.5;        // standard deviation of ln(delay) of an answer
   static constexpr double kLever = 0.01;        // of an answer's force about the point where the hand is held [m]
   static constexpr double kStiff = 500;         // of what touches, mean and standard deviation [N/m]
   static constexpr double kJolt = 3;            // torque of a jolt, times the joint's scale [N m]

@@ -175,7 +175,6 @@ class JointTorqueModel {
     V(n, n) += (Scalar(1) - keep * keep) * variance;
   }
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
-  void follow_compensation(const TorqueBlock<Scalar, Dofs>& block, const BlockContext<Scalar, Dofs>& context) noexcept;
   void balance(Star& star, int j) const noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   /// Stationary variance of the stiction [(N m)^2]. The standard deviation is 0.6 of the prior's Coulomb friction, and
@@ -201,9 +200,10 @@ class JointTorqueModel {
   // How far friction has turned over in this block, and the decaying maximum of that (turn()).
   Torque turned_ = Torque::Zero(), turning_ = Torque::Zero();
   // Per joint [N m]: average of the torque over the last 0.08 s; change of the motor's torque in this block
-  // (follow_torque()); changes of the compensation that tau_ext does not show yet, and that it shows in this block
-  // (follow_compensation()).
-  Torque recent_torque_ = Torque::Zero(), torque_change_ = Torque::Zero(), pending_ = Torque::Zero(), balanced_ = Torque::Zero();
+  // (follow_torque()); change of the compensation that tau_ext shows in this block if friction holds the joint, and its
+  // change with ln(delay).
+  Torque recent_torque_ = Torque::Zero(), torque_change_ = Torque::Zero();
+  Torque balanced_ = Torque::Zero(), balanced_timing_ = Torque::Zero();
   Vector3<Scalar> gravity_;
   Answer<Scalar> answer_;
   Eigen::Matrix<Scalar, Dofs, 2> tilt_ = Eigen::Matrix<Scalar, Dofs, 2>::Zero();  // d tau / d tilt [N m/rad]
@@ -227,7 +227,8 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   }
   noise_.watch(block, timing_noise_);
   follow_torque(block);
-  follow_compensation(block, context);
+  balanced_ = context.balanced;
+  balanced_timing_ = context.balanced_timing;
   turn(block);
   started_ = true;
   // The error of the flange's acceleration makes an error of the payload's inertia force and moment (T29). The payload's
@@ -279,19 +280,6 @@ void JointTorqueModel<Scalar, Dofs>::follow_torque(const TorqueBlock<Scalar, Dof
   }
 }
 
-/// How much of the compensation's change tau_ext shows in this block, if friction holds the joint.
-template <typename Scalar, int Dofs>
-void JointTorqueModel<Scalar, Dofs>::follow_compensation(const TorqueBlock<Scalar, Dofs>& block,
-                                                         const BlockContext<Scalar, Dofs>& context) noexcept {
-  constexpr double kDelay = 0.02;  // time constant until tau_ext shows a new compensation: drive, arm [s]
-  const Scalar keep = std::exp(-block.duration / Scalar(kDelay));
-  for (int j = 0; j < Dofs; ++j) {
-    pending_[j] += context.compensation_change[j];
-    balanced_[j] = (Scalar(1) - keep) * pending_[j];
-    pending_[j] *= keep;
-  }
-}
-
 /// Friction that holds a joint balances what the compensation adds, whatever the hand holds, as far as it is able to: it
 /// stays between -Coulomb and Coulomb. So the joint seems to confirm any compensation. A small change C of the compensation
 /// moves stiction s by -C where s, on that side, is within its bound, and not at all where it is not:
@@ -301,7 +289,7 @@ void JointTorqueModel<Scalar, Dofs>::balance(Star& star, int j) const noexcept {
   using std::abs;
   using std::sqrt;
   constexpr double kShare = 0.2;   // standard deviation of the share of C that friction balances where it is able to
-  constexpr double kTiming = 0.2;  // share of what is pending that may come sooner or later
+  constexpr double kTiming = 0.5;  // standard deviation of ln(delay)
   const Scalar size = abs(balanced_[j]), towards = balanced_[j] > 0 ? Scalar(-1) : Scalar(1);
   const auto mean = star.nuisance_mean(j);
   const auto covariance = star.nuisance_covariance(j);
@@ -314,7 +302,7 @@ void JointTorqueModel<Scalar, Dofs>::balance(Star& star, int j) const noexcept {
   renew(star, j, kStiction, keep, Scalar(0));
   auto& joint = star.joint(j);
   joint.covariance(kStiction, kStiction) += (within * (1 - within) + Scalar(kShare * kShare)) * size * size +
-                                            Scalar(kTiming * kTiming) * pending_[j] * pending_[j];
+                                            Scalar(kTiming * kTiming) * balanced_timing_[j] * balanced_timing_[j];
   joint.mean[kStiction] += mean[kStiction] + towards * size * within - star.nuisance_mean(j)[kStiction];
 }
 

@@ -36,8 +36,10 @@ struct TorqueBlock {
   /// noise of the torque, m^2 times as large per axis. 0 if the host gives the motion.
   Scalar acceleration_variance = Scalar(0);
   Scalar angular_acceleration_variance = Scalar(0);  ///< the same of the angular acceleration [(rad/s^2)^2]
-  /// What the host adds to its command for the payload, averaged like tau [N m].
-  JointVector<Scalar, Dofs> carried = JointVector<Scalar, Dofs>::Zero();
+  /// What the host adds to its command for the payload, as tau_ext would show it if the arm could not move: after the
+  /// delay of drive and contact. Averaged like tau [N m].
+  JointVector<Scalar, Dofs> balanced = JointVector<Scalar, Dofs>::Zero();
+  JointVector<Scalar, Dofs> balanced_timing = JointVector<Scalar, Dofs>::Zero();  ///< its change with ln(delay) [N m]
   Scalar observer_time =
       Scalar(0.02);  ///< time constant of the stated observer [s]; that of 50 rad/s if none is stated
   /// The last sample's: the arm's own gravity torque per unit of gravity along each world axis [N m / (m/s^2)].
@@ -48,8 +50,8 @@ struct TorqueBlock {
 /// exerts, after the delay of drive and contact.
 template <typename Scalar>
 struct Answer {
-  Vector6<Scalar> change = Vector6<Scalar>::Zero();   ///< since the last block [N, N m]
-  Vector6<Scalar> pending = Vector6<Scalar>::Zero();  ///< that comes later [N, N m]
+  Vector6<Scalar> change = Vector6<Scalar>::Zero();  ///< since the last block [N, N m]
+  Vector6<Scalar> timing = Vector6<Scalar>::Zero();  ///< change of that with ln(delay) [N, N m]
 };
 
 /// What is known of a block in addition to its samples.
@@ -58,8 +60,9 @@ struct BlockContext {
   bool exchange_likely = false;  ///< the host says that the payload changes now
   Scalar log_share = Scalar(0);  ///< log probability that the arm has this kind of torque sensing
   bool friction_shows = false;   ///< it is certain that tau_ext contains joint friction
-  /// Change of the commanded compensation since the last block [N m].
-  JointVector<Scalar, Dofs> compensation_change = JointVector<Scalar, Dofs>::Zero();
+  /// Changes of TorqueBlock::balanced and balanced_timing since the last block [N m].
+  JointVector<Scalar, Dofs> balanced = JointVector<Scalar, Dofs>::Zero();
+  JointVector<Scalar, Dofs> balanced_timing = JointVector<Scalar, Dofs>::Zero();
   Answer<Scalar> answer;  ///< of a hand that cannot move
 };
 
@@ -88,6 +91,8 @@ class BlockAverager {
   static constexpr double kLongest = 3 * kDuration;  ///< longest duration, if dq is noisy [s]
   /// Period p of the arm's own observer, which may run faster than the host's loop [s].
   static constexpr double kObserverPeriod = 0.001;
+  /// Time constant until tau_ext shows a new compensation where the arm cannot move: of drive, arm and contact [s].
+  static constexpr double kBalanceTime = 0.02;
 
   /// @param bandwidth  K of the observer that computed tau_ext [rad/s]; 0 if tau_ext is unfiltered
   /// @param gravity    g [m/s^2], world axes
@@ -146,6 +151,8 @@ class BlockAverager {
   Proprioception<Scalar, Dofs> last_;
   Twist<Scalar> last_twist_;  // J dq of the last sample
   JointVector<Scalar, Dofs> torque_ = JointVector<Scalar, Dofs>::Zero();
+  // The compensation after one lag of kBalanceTime, and after a second one [N m].
+  JointVector<Scalar, Dofs> balanced_ = JointVector<Scalar, Dofs>::Zero(), twice_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> difference_ = JointVector<Scalar, Dofs>::Zero();  // last change of dq, sample to sample
   JointVector<Scalar, Dofs> step_ = JointVector<Scalar, Dofs>::Zero();
   int samples_ = 0;
@@ -179,7 +186,8 @@ void BlockAverager<Scalar, Dofs>::begin() noexcept {
   duration_ = weight_ = unmeasured_weight_ = shape_ = roughness_ = Scalar(0);
   changes_.setZero();
   unmeasured_.setZero();
-  sums_.carried.setZero();
+  sums_.balanced.setZero();
+  sums_.balanced_timing.setZero();
   sums_.tau.setZero();
   sums_.torque_rate.setZero();
   sums_.regressor.setZero();
@@ -258,6 +266,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
     last_ = sample;
     last_twist_ = twist;
     torque_ = sample.tau_ext;
+    if (sample.compensation) balanced_ = twice_ = *sample.compensation;
     begin();
     return false;
   }
@@ -286,7 +295,14 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   detail::add_scaled(part_difference_, shape, difference_);
   roughness_ += (shape - shape_) * (shape - shape_);
   shape_ = shape;
-  if (sample.compensation) detail::add_scaled(sums_.carried, weight, *sample.compensation);
+  if (sample.compensation) {
+    const Scalar comes = Scalar(1) - std::exp(static_cast<Scalar>(-dt / kBalanceTime));
+    detail::add_scaled(balanced_, comes, detail::difference(*sample.compensation, balanced_));
+    detail::add_scaled(twice_, comes, detail::difference(balanced_, twice_));
+  }
+  detail::add_scaled(sums_.balanced, weight, balanced_);
+  // A lag 1 / (1 + T s) changes with ln T by -T s / (1 + T s)^2: the second lag less the first.
+  detail::add_scaled(sums_.balanced_timing, weight, detail::difference(twice_, balanced_));
   part_duration_ += h;
   part_weight_ += weight;
   detail::add_scaled(part_change_.linear, shape, detail::difference(twist.linear, last_twist_.linear));
@@ -320,7 +336,8 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
     for (int j = 0; j < Dofs; ++j) sums_.velocities(j, i) = sums_.velocities(j, parts_ - 1);
   learn_noise();
   shrink();
-  sums_.carried /= weight_;
+  sums_.balanced /= weight_;
+  sums_.balanced_timing /= weight_;
   sums_.gravity_torque = sample.gravity_torque;
   sums_.velocity_noise = noise_;
   sums_.torque_step = step_;

@@ -69,17 +69,18 @@ class Tracker {
     BlockContext<Scalar, Dofs> context;
     context.exchange_likely = exchange_likely;
     context.friction_shows = belief_.sensing[static_cast<std::size_t>(Sensing::LinkSide)] < Scalar(kCertain);
-    const Vector6<Scalar> wrench = wrench_of(block.jacobian, block.carried);
+    const Vector6<Scalar> wrench = wrench_of(block.jacobian, block.balanced);
+    const Vector6<Scalar> timing = wrench_of(block.jacobian, block.balanced_timing);
     if (carries_) {
-      context.compensation_change = detail::difference(block.carried, carried_);
-      answer_.pending += detail::difference(wrench_, wrench);
-      answer_.change = detail::scaled(1 - std::exp(-duration_ / Scalar(kDelay)), answer_.pending);
-      answer_.pending -= answer_.change;
-      context.answer = answer_;
+      context.balanced = detail::difference(block.balanced, balanced_);
+      context.balanced_timing = detail::difference(block.balanced_timing, balanced_timing_);
+      context.answer = {detail::difference(wrench_, wrench), detail::difference(timing_, timing)};
     }
     carries_ = true;
-    carried_ = block.carried;
+    balanced_ = block.balanced;
+    balanced_timing_ = block.balanced_timing;
     wrench_ = wrench;
+    timing_ = timing;
     for (std::size_t k = 0; k < kSensings; ++k) {
       context.log_share = static_cast<Scalar>(evidence_[k]);
       kinds_[k].begin(block, regime_, context, children_);
@@ -170,7 +171,6 @@ class Tracker {
   static constexpr double kDecided = 300;
   static constexpr double kUnlikely = 1e-5;  // probability below which a kind computes less
   static constexpr double kCertain = 1e-6;   // probability of link-side sensing below which friction is certain to show
-  static constexpr double kDelay = 0.02;     // time constant until contact answers to the compensation: drive, arm [s]
   static constexpr double kLargestHealth = 100;
   static constexpr double kDisturbed = 0.9;  // share of a block's weight that is lost while something disturbs
   static constexpr double kFullSpeed = 0.2;  // norm of dq from which a block has its full weight [rad/s]
@@ -297,9 +297,10 @@ class Tracker {
   Scalar duration_ = Scalar(0), speed_ = Scalar(0);
   TrackerBelief<Scalar> belief_;
   Vector3<Scalar> last_axis_ = Vector3<Scalar>::Zero();  // axis of the last joint, in end-effector axes
-  JointVector<Scalar, Dofs> carried_ = JointVector<Scalar, Dofs>::Zero();  // compensation in the last block [N m]
-  Vector6<Scalar> wrench_ = Vector6<Scalar>::Zero();                       // wrench of it
-  Answer<Scalar> answer_;
+  // Of the last block: TorqueBlock::balanced and balanced_timing [N m], and their wrenches.
+  JointVector<Scalar, Dofs> balanced_ = JointVector<Scalar, Dofs>::Zero();
+  JointVector<Scalar, Dofs> balanced_timing_ = JointVector<Scalar, Dofs>::Zero();
+  Vector6<Scalar> wrench_ = Vector6<Scalar>::Zero(), timing_ = Vector6<Scalar>::Zero();
   bool carries_ = false;  // there was a last block
 };
 
