@@ -40,8 +40,10 @@ struct Disturbance {
   /// @param soft  it begins with nearly nothing: what touches softly
   static void begin(Star& star, Scalar rated, bool soft) noexcept {
     Acting mean = Acting::Zero(), variance;
-    mean[kActing - 1] = Scalar(kAnswers);
-    variance[kActing - 1] = Scalar(kAnswers * kAnswers);
+    mean[6] = Scalar(kShare);
+    mean[7] = Scalar(kStiff);
+    variance[6] = Scalar(kShare * kShare);
+    variance[7] = Scalar(kStiff * kStiff);
     for (int i = 0; i < 6; ++i) variance[i] = any(rated, i) * Scalar(soft ? kSoft * kSoft : 1);
     star.begin_wrench(mean, variance);
   }
@@ -64,11 +66,16 @@ struct Disturbance {
     Scalar force = Scalar(0);
     for (int i = 0; i < 3; ++i) force += answer.change[i] * answer.change[i];
     for (int i = 3; i < 6; ++i) noise(i, i) += Scalar(kLever * kLever) * force;
-    Vector6<Scalar> back = Vector6<Scalar>::Zero();  // what touches pushes back
-    if (how != Disturbing::Hand) {
-      const Vector6<Scalar> twist = detail::product(block.jacobian, block.velocity);
-      for (int i = 0; i < 3; ++i) back[i] = Scalar(-kStiff) * block.duration * twist[i];
-      detail::add_outer(noise, back, back);
+    Eigen::Matrix<Scalar, 6, kAnswers> answers = Eigen::Matrix<Scalar, 6, kAnswers>::Zero();
+    for (int i = 0; i < 6; ++i) answers(i, 0) = answer.change[i];
+    if (how != Disturbing::Hand) {  // what touches pushes back
+      const Scalar k = star.mean()[kStiffness], square = detail::dot(answer.moved, answer.moved);
+      const Scalar seen = square > 0 ? std::max(Scalar(0), 1 - 3 * block.position_noise / square) : Scalar(0);
+      const Scalar unseen = Scalar(1e6) * (k * k + star.variance(kStiffness)) * block.position_noise;
+      for (int i = 0; i < 3; ++i) {
+        answers(i, 1) = Scalar(-1e3) * seen * answer.moved[i];
+        noise(i, i) += unseen;
+      }
     }
     if (how == Disturbing::Growing) {
       const Vector6<Scalar> w = star.wrench_mean().template head<6>();
@@ -76,7 +83,7 @@ struct Disturbance {
       for (int i = 0; i < 3; ++i) square = std::max(square, w[i] * w[i]);
       detail::add_outer(noise, detail::scaled(Scalar(kGrowth * kGrowth) * rated * rated * blocks / square, w), w);
     }
-    star.disturb(back, answer.change, noise);
+    star.disturb(answers, noise);
   }
   /// Takes in the block of the model's last begin(). Of a jolt nothing is learned.
   /// @param model    of the arm
@@ -128,16 +135,20 @@ struct Disturbance {
     using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
     const Acting acting = star.wrench_mean();
     const Eigen::Matrix<Scalar, kActing, kActing> covariance = star.wrench_covariance();
-    // A weight does not answer to the compensation: s = 0. So the blocks are as much likelier without an answer as the
-    // density of s at 0 is larger than it was at first.
-    const Scalar answers = covariance(6, 6), off = acting[6];
-    const Scalar log_silent = Scalar(0.5) * (1 - off * off / answers + std::log(Scalar(kAnswers * kAnswers) / answers));
+    // A weight answers neither to the compensation nor to motion: s = k = 0. So the blocks are as much likelier without
+    // an answer as the density of (s, k) at 0 is larger than it was at first.
+    const Scalar a = covariance(6, 6), c = covariance(6, 7), d = covariance(7, 7), det = a * d - c * c;
+    if (!(det > 0)) return kNone;
+    const Scalar s = (d * acting[6] - c * acting[7]) / det, k = (a * acting[7] - c * acting[6]) / det;
+    const Scalar prior = Scalar(kShare * kShare * kStiff * kStiff);
+    const Scalar log_silent = Scalar(0.5) * (2 - s * acting[6] - k * acting[7] + std::log(prior / det));
     Vector6<Scalar> silent_mean;
     Matrix6 silent;
     for (int i = 0; i < 6; ++i) {
-      const Scalar share = covariance(i, 6) / answers;
-      silent_mean[i] = acting[i] - share * off;
-      for (int k = 0; k < 6; ++k) silent(i, k) = covariance(i, k) - share * covariance(k, 6);
+      const Scalar p = (d * covariance(i, 6) - c * covariance(i, 7)) / det;
+      const Scalar q = (a * covariance(i, 7) - c * covariance(i, 6)) / det;
+      silent_mean[i] = acting[i] - p * acting[6] - q * acting[7];
+      for (int n = 0; n < 6; ++n) silent(i, n) = covariance(i, n) - p * covariance(n, 6) - q * covariance(n, 7);
     }
     const Cholesky<Scalar, 6> known(silent);
     if (!known.positive_definite()) return kNone;
@@ -186,10 +197,10 @@ struct Disturbance {
   static constexpr double kOwn = 2e-3;          // tremble of a growing wrench in all directions
   static constexpr double kGrowth = 0.06;       // its growth along itself in kTrembleTime, per rated payload [N/kg]
   static constexpr double kAnew = 1e-3;         // probability per block that a hand pushes anew, in any way
-  static constexpr double kAnswers = 0.5;       // mean and standard deviation of s: from not at all to completely
+  static constexpr double kShare = 0.5;         // mean and standard deviation of s: from not at all to completely
   static constexpr double kTiming = 0.5;        // standard deviation of ln(delay) of an answer
   static constexpr double kLever = 0.01;        // of an answer's force about the point where the hand is held [m]
-  static constexpr double kStiff = 500;         // of what touches, mean and standard deviation [N/m]
+  static constexpr double kStiff = 0.5;         // mean and standard deviation of k [kN/m]
   static constexpr double kJolt = 3;            // torque of a jolt, times the joint's scale [N m]
   static constexpr double kLarger = 10;         // the next size of a jolt, relative to the last one
   static constexpr int kSizes = 3;              // of jolts, each as likely as the others

@@ -122,7 +122,7 @@ class JointTorqueModel {
   JointObservation<Scalar> disturbed_observation(int j, Scalar mass) const noexcept {
     JointObservation<Scalar> o = observation(j, mass);
     for (int i = 0; i < 6; ++i) o.h[kWrench + i] = block_.jacobian(i, j);
-    o.h[kAnswer] = Scalar(0);
+    o.h[kAnswer] = o.h[kStiffness] = Scalar(0);
     return o;
   }
   /// Variance that a jump of joint j's stiction would add in this block [(N m)^2]: a joint that rests while others move

@@ -13,22 +13,25 @@ namespace rme {
 /// What all joints share, x: first what belongs to the arm, then the payload, then what passes: either something is
 /// poured, or a wrench acts. Each is the index of a first entry.
 enum Shared : int {
-  kLag = 0,      ///< lag of the torque beyond the stated observer, in time constants of that observer (no unit)
-  kTool = 1,     ///< mass and first moment that the robot's own model lacks at the last link, 4 entries [kg, kg m]
-  kTilt = 5,     ///< error of gravity's direction: rotation about two axes across gravity, 2 entries [rad]
-  kPayload = 7,  ///< phi of the payload, 10 entries; if something is poured, phi before that
-  kPoured = 17,  ///< what has been poured in so far, (m, m r), 4 entries [kg, kg m]
-  kWrench = 17,  ///< w, what else acts at the end-effector origin: force and moment, world axes, 6 entries [N, N m]
-  kAnswer = 23,  ///< s, how w answers to the compensation: 1 if the hand cannot move, 0 for a weight (no unit)
+  kLag = 0,         ///< lag of the torque beyond the stated observer, in time constants of that observer (no unit)
+  kTool = 1,        ///< mass and first moment that the robot's own model lacks at the last link, 4 entries [kg, kg m]
+  kTilt = 5,        ///< error of gravity's direction: rotation about two axes across gravity, 2 entries [rad]
+  kPayload = 7,     ///< phi of the payload, 10 entries; if something is poured, phi before that
+  kPoured = 17,     ///< what has been poured in so far, (m, m r), 4 entries [kg, kg m]
+  kWrench = 17,     ///< w, what else acts at the end-effector origin: force and moment, world axes, 6 entries [N, N m]
+  kAnswer = 23,     ///< s, how w answers to the compensation: 1 if the hand cannot move, 0 for a weight (no unit)
+  kStiffness = 24,  ///< k, how w answers to the hand's motion: stiffness of what it touches, 0 for a weight [kN/m]
 };
 inline constexpr int kArmShared = kPayload;           ///< number of shared unknowns of an empty hand
 inline constexpr int kHeldShared = kPoured;           ///< the same, if something is held
 inline constexpr int kPouredShared = kPoured + 4;     ///< the same, if something is poured
-inline constexpr int kActing = 7;                     ///< number of unknowns of a wrench: w and s
+inline constexpr int kAnswers = 2;                    ///< number of unknowns of how a wrench answers: s and k
+inline constexpr int kActing = 6 + kAnswers;          ///< number of unknowns of a wrench: w, s and k
 inline constexpr int kAllShared = kWrench + kActing;  ///< number of shared unknowns while a wrench acts: all of them
-/// Number of entries of x; those after kAllShared are zero. It is odd: if columns of doubles began at multiples of 16 bytes,
-/// g++ 12 would vectorise loops over parts of them with aligned loads, also where a part begins between two such multiples.
-inline constexpr int kShared = kAllShared + 1;
+/// Number of entries of x. It is odd: if columns of doubles began at multiples of 16 bytes, g++ 12 would vectorise loops
+/// over parts of them with aligned loads, also where a part begins between two such multiples.
+inline constexpr int kShared = kAllShared;
+static_assert(kShared % 2 == 1, "see above");
 template <typename Scalar>
 using SharedVector = Eigen::Matrix<Scalar, kShared, 1>;  ///< x, in the order of Shared
 template <typename Scalar>
@@ -380,9 +383,9 @@ class StarGaussian {
     diffuse<4>(kPoured, noise);
   }
 
-  /// From now on a wrench w acts, which answers with s to the compensation: both are independent of everything else.
-  /// Nothing may be poured.
-  /// @param mean, variance  of (w, s)
+  /// From now on a wrench w acts, which answers with s and k: all are independent of everything else. Nothing may be
+  /// poured.
+  /// @param mean, variance  of (w, s, k)
   void begin_wrench(const Eigen::Matrix<Scalar, kActing, 1>& mean,
                     const Eigen::Matrix<Scalar, kActing, 1>& variance) noexcept {
     using std::sqrt;
@@ -393,31 +396,28 @@ class StarGaussian {
     }
     size_ = kAllShared;
   }
-  /// The wrench has changed by `change`, by s times `answer`, and by noise of covariance `Q`, positive semidefinite. If Q
-  /// is not finite, there is no noise.
-  void disturb(const Vector6<Scalar>& change, const Vector6<Scalar>& answer,
-               const Eigen::Matrix<Scalar, 6, 6>& Q) noexcept {
+  /// The wrench has changed by `answer` (s, k), and by noise of covariance `Q`, positive semidefinite. If Q is not
+  /// finite, there is no noise.
+  void disturb(const Eigen::Matrix<Scalar, 6, kAnswers>& answer, const Eigen::Matrix<Scalar, 6, 6>& Q) noexcept {
     for (int i = 0; i < 6; ++i) {
-      mean_[kWrench + i] += change[i] + answer[i] * mean_[kAnswer];
-      for (int k = 0; k < kShared; ++k) factor_(kWrench + i, k) += answer[i] * factor_(kAnswer, k);
-    }
-    for (Joint& joint : joints_) {  // beta_j depends on the wrench before: w - change - s answer
-      for (int n = 0; n < kJointNuisances; ++n) {
-        for (int i = 0; i < 6; ++i) {
-          joint.mean[n] -= change[i] * joint.slope(kWrench + i, n);
-          joint.slope(kAnswer, n) -= answer[i] * joint.slope(kWrench + i, n);
-        }
+      for (int a = 0; a < kAnswers; ++a) {
+        mean_[kWrench + i] += answer(i, a) * mean_[kAnswer + a];
+        for (int k = 0; k < kShared; ++k) factor_(kWrench + i, k) += answer(i, a) * factor_(kAnswer + a, k);
       }
     }
+    for (Joint& joint : joints_)  // beta_j depends on the wrench before: w - answer (s, k)
+      for (int n = 0; n < kJointNuisances; ++n)
+        for (int i = 0; i < 6; ++i)
+          for (int a = 0; a < kAnswers; ++a) joint.slope(kAnswer + a, n) -= answer(i, a) * joint.slope(kWrench + i, n);
     diffuse<6>(kWrench, Q);
   }
   /// The wrench acts no longer. It is marginalised: everything else keeps its distribution.
   void end_wrench() noexcept {
     if (acts()) marginalise(held_ ? kHeldShared : kArmShared);
   }
-  /// Mean of (w, s).
+  /// Mean of (w, s, k).
   Eigen::Matrix<Scalar, kActing, 1> wrench_mean() const noexcept { return mean_.template segment<kActing>(kWrench); }
-  /// Covariance of (w, s).
+  /// Covariance of (w, s, k).
   Eigen::Matrix<Scalar, kActing, kActing> wrench_covariance() const noexcept {
     return detail::outer_square(Eigen::Matrix<Scalar, kActing, kShared>(factor_.template middleRows<kActing>(kWrench)));
   }

@@ -40,6 +40,9 @@ struct TorqueBlock {
   /// delay of drive and contact. Averaged like tau [N m].
   JointVector<Scalar, Dofs> balanced = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> balanced_timing = JointVector<Scalar, Dofs>::Zero();  ///< its change with ln(delay) [N m]
+  /// How far the end-effector origin has moved since the first sample, averaged like tau; world axes [m].
+  Vector3<Scalar> position = Vector3<Scalar>::Zero();
+  Scalar position_noise = Scalar(0);  ///< variance that the noise of dq adds to it per block, mean over the axes [m^2]
   Scalar observer_time =
       Scalar(0.02);  ///< time constant of the stated observer [s]; that of 50 rad/s if none is stated
   /// The last sample's: the arm's own gravity torque per unit of gravity along each world axis [N m / (m/s^2)].
@@ -52,6 +55,7 @@ template <typename Scalar>
 struct Answer {
   Vector6<Scalar> change = Vector6<Scalar>::Zero();  ///< since the last block [N, N m]
   Vector6<Scalar> timing = Vector6<Scalar>::Zero();  ///< change of that with ln(delay) [N, N m]
+  Vector3<Scalar> moved = Vector3<Scalar>::Zero();   ///< motion of the hand since the last block, world axes [m]
 };
 
 /// What is known of a block in addition to its samples.
@@ -151,6 +155,7 @@ class BlockAverager {
   Proprioception<Scalar, Dofs> last_;
   Twist<Scalar> last_twist_;  // J dq of the last sample
   JointVector<Scalar, Dofs> torque_ = JointVector<Scalar, Dofs>::Zero();
+  Vector3<Scalar> position_ = Vector3<Scalar>::Zero();  // integral of J dq [m]
   // The compensation after one lag of kBalanceTime, and after a second one [N m].
   JointVector<Scalar, Dofs> balanced_ = JointVector<Scalar, Dofs>::Zero(), twice_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> difference_ = JointVector<Scalar, Dofs>::Zero();  // last change of dq, sample to sample
@@ -188,6 +193,7 @@ void BlockAverager<Scalar, Dofs>::begin() noexcept {
   unmeasured_.setZero();
   sums_.balanced.setZero();
   sums_.balanced_timing.setZero();
+  sums_.position.setZero();
   sums_.tau.setZero();
   sums_.torque_rate.setZero();
   sums_.regressor.setZero();
@@ -295,10 +301,14 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   detail::add_scaled(part_difference_, shape, difference_);
   roughness_ += (shape - shape_) * (shape - shape_);
   shape_ = shape;
+  detail::add_scaled(position_, Scalar(0.5) * h, twist.linear);
+  detail::add_scaled(position_, Scalar(0.5) * h, last_twist_.linear);
+  detail::add_scaled(sums_.position, weight, position_);
   if (sample.compensation) {
     const Scalar comes = Scalar(1) - std::exp(static_cast<Scalar>(-dt / kBalanceTime));
     detail::add_scaled(balanced_, comes, detail::difference(*sample.compensation, balanced_));
-    detail::add_scaled(twice_, comes, detail::difference(balanced_, twice_));
+    detail::add_scaled(twice_, Scalar(1) - std::exp(static_cast<Scalar>(-dt / 0.06)),
+                       detail::difference(balanced_, twice_));
   }
   detail::add_scaled(sums_.balanced, weight, balanced_);
   // A lag 1 / (1 + T s) changes with ln T by -T s / (1 + T s)^2: the second lag less the first.
@@ -338,8 +348,14 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   shrink();
   sums_.balanced /= weight_;
   sums_.balanced_timing /= weight_;
+  sums_.position /= weight_;
   sums_.gravity_torque = sample.gravity_torque;
   sums_.velocity_noise = noise_;
+  sums_.position_noise = Scalar(0);
+  for (int j = 0; j < Dofs; ++j)
+    for (int axis = 0; axis < 3; ++axis)
+      sums_.position_noise += noise_[j] * sample.jacobian(axis, j) * sample.jacobian(axis, j);
+  sums_.position_noise *= duration_ * duration_ / (3 * static_cast<Scalar>(sums_.samples));
   sums_.torque_step = step_;
   sums_.jacobian = sample.jacobian;
   sums_.rotation = sample.rotation;

@@ -74,13 +74,15 @@ class Tracker {
     if (carries_) {
       context.balanced = detail::difference(block.balanced, balanced_);
       context.balanced_timing = detail::difference(block.balanced_timing, balanced_timing_);
-      context.answer = {detail::difference(wrench_, wrench), detail::difference(timing_, timing)};
+      context.answer = {detail::difference(wrench_, wrench), detail::difference(timing_, timing),
+                        detail::difference(block.position, position_)};
     }
     carries_ = true;
     balanced_ = block.balanced;
-    balanced_timing_ = block.balanced_timing;
     wrench_ = wrench;
+    balanced_timing_ = block.balanced_timing;
     timing_ = timing;
+    position_ = block.position;
     for (std::size_t k = 0; k < kSensings; ++k) {
       context.log_share = static_cast<Scalar>(evidence_[k]);
       kinds_[k].begin(block, regime_, context, children_);
@@ -297,10 +299,11 @@ class Tracker {
   Scalar duration_ = Scalar(0), speed_ = Scalar(0);
   TrackerBelief<Scalar> belief_;
   Vector3<Scalar> last_axis_ = Vector3<Scalar>::Zero();  // axis of the last joint, in end-effector axes
-  // Of the last block: TorqueBlock::balanced and balanced_timing [N m], and their wrenches.
+  // Of the last block: TorqueBlock::balanced and balanced_timing [N m], their wrenches, and TorqueBlock::position [m].
   JointVector<Scalar, Dofs> balanced_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> balanced_timing_ = JointVector<Scalar, Dofs>::Zero();
   Vector6<Scalar> wrench_ = Vector6<Scalar>::Zero(), timing_ = Vector6<Scalar>::Zero();
+  Vector3<Scalar> position_ = Vector3<Scalar>::Zero();
   bool carries_ = false;  // there was a last block
 };
 
