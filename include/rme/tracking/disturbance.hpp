@@ -36,7 +36,7 @@ struct Disturbance {
   using Torque = JointVector<Scalar, Dofs>;          ///< one number per joint
 
   /// A wrench begins that nothing is known of: w ~ N(0, W) with W for hands and obstacles beside an arm for `rated` [kg].
-  /// It is as likely to answer to the compensation as not.
+  /// It is as likely to answer to the compensation and to motion as not.
   /// @param soft  it begins with nearly nothing: what touches softly
   static void begin(Star& star, Scalar rated, bool soft) noexcept {
     Acting mean = Acting::Zero(), variance;
@@ -61,7 +61,7 @@ struct Disturbance {
     const double share = how == Disturbing::Hand ? kTremble : how == Disturbing::Growing ? kOwn : 0;
     Eigen::Matrix<Scalar, 6, 6> noise = Eigen::Matrix<Scalar, 6, 6>::Zero();
     for (int i = 0; i < 6; ++i) noise(i, i) = Scalar(share * share) * blocks * any(rated, i);
-    detail::add_outer(noise, detail::scaled(Scalar(kTiming * kTiming), answer.timing), answer.timing);
+    detail::add_outer(noise, detail::scaled(Scalar(kTiming * kTiming), answer.unsettled), answer.unsettled);
     // Where the hand is held is not known: so the force of an answer is known, but not its moment.
     Scalar force = Scalar(0);
     for (int i = 0; i < 3; ++i) force += answer.change[i] * answer.change[i];
@@ -69,11 +69,11 @@ struct Disturbance {
     Eigen::Matrix<Scalar, 6, kAnswers> answers = Eigen::Matrix<Scalar, 6, kAnswers>::Zero();
     for (int i = 0; i < 6; ++i) answers(i, 0) = answer.change[i];
     if (how != Disturbing::Hand) {  // what touches pushes back
-      const Scalar k = star.mean()[kStiffness], square = detail::dot(answer.moved, answer.moved);
-      const Scalar seen = square > 0 ? std::max(Scalar(0), 1 - 3 * block.position_noise / square) : Scalar(0);
+      const Scalar k = star.mean()[kStiffness], way = seen(model);
+      const Scalar share = way > 0 ? way / std::sqrt(detail::dot(answer.moved, answer.moved)) : Scalar(0);
       const Scalar unseen = Scalar(1e6) * (k * k + star.variance(kStiffness)) * block.position_noise;
       for (int i = 0; i < 3; ++i) {
-        answers(i, 1) = Scalar(-1e3) * seen * answer.moved[i];
+        answers(i, 1) = Scalar(-1e3) * share * answer.moved[i];
         noise(i, i) += unseen;
       }
     }
@@ -127,37 +127,41 @@ struct Disturbance {
   /// How much better a payload explains the wrench than any wrench does: the log of the ratio of the two likelihoods of
   /// all blocks since it began, the last one included (docs/theory.md (T50)). The payload takes the place of star's.
   /// @param model    of the arm
-  /// @param star     state; a wrench acts that did not begin softly
+  /// @param star     state; a wrench acts
   /// @param payload  what may be held
   /// @param rated    rated payload [kg]
-  static Scalar weigh(const Model& model, const Star& star, const PayloadPrior<Scalar>& payload,
-                      Scalar rated) noexcept {
+  /// @param silent   whether it has been a weight since it began, which answers nothing; otherwise from now on
+  static Scalar weigh(const Model& model, const Star& star, const PayloadPrior<Scalar>& payload, Scalar rated,
+                      bool silent) noexcept {
     using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
     const Acting acting = star.wrench_mean();
     const Eigen::Matrix<Scalar, kActing, kActing> covariance = star.wrench_covariance();
-    // A weight answers neither to the compensation nor to motion: s = k = 0. So the blocks are as much likelier without
-    // an answer as the density of (s, k) at 0 is larger than it was at first.
-    const Scalar a = covariance(6, 6), c = covariance(6, 7), d = covariance(7, 7), det = a * d - c * c;
-    if (!(det > 0)) return kNone;
-    const Scalar s = (d * acting[6] - c * acting[7]) / det, k = (a * acting[7] - c * acting[6]) / det;
-    const Scalar prior = Scalar(kShare * kShare * kStiff * kStiff);
-    const Scalar log_silent = Scalar(0.5) * (2 - s * acting[6] - k * acting[7] + std::log(prior / det));
-    Vector6<Scalar> silent_mean;
-    Matrix6 silent;
-    for (int i = 0; i < 6; ++i) {
-      const Scalar p = (d * covariance(i, 6) - c * covariance(i, 7)) / det;
-      const Scalar q = (a * covariance(i, 7) - c * covariance(i, 6)) / det;
-      silent_mean[i] = acting[i] - p * acting[6] - q * acting[7];
-      for (int n = 0; n < 6; ++n) silent(i, n) = covariance(i, n) - p * covariance(n, 6) - q * covariance(n, 7);
+    Scalar log_silent = Scalar(0);
+    Vector6<Scalar> wrench = acting.template head<6>();
+    Matrix6 spread = covariance.template topLeftCorner<6, 6>();
+    if (silent) {
+      // A weight answers neither to the compensation nor to motion: s = k = 0. So the blocks are as much likelier without
+      // an answer as the density of (s, k) at 0 is larger than it was at first.
+      const Scalar a = covariance(6, 6), c = covariance(6, 7), d = covariance(7, 7), det = a * d - c * c;
+      if (!(det > 0)) return kNone;
+      const Scalar s = (d * acting[6] - c * acting[7]) / det, k = (a * acting[7] - c * acting[6]) / det;
+      const Scalar prior = Scalar(kShare * kShare * kStiff * kStiff);
+      log_silent = Scalar(0.5) * (2 - s * acting[6] - k * acting[7] + std::log(prior / det));
+      for (int i = 0; i < 6; ++i) {
+        const Scalar p = (d * covariance(i, 6) - c * covariance(i, 7)) / det;
+        const Scalar q = (a * covariance(i, 7) - c * covariance(i, 6)) / det;
+        wrench[i] -= p * acting[6] + q * acting[7];
+        for (int n = 0; n < 6; ++n) spread(i, n) -= p * covariance(n, 6) + q * covariance(n, 7);
+      }
     }
-    const Cholesky<Scalar, 6> known(silent);
+    const Cholesky<Scalar, 6> known(spread);
     if (!known.positive_definite()) return kNone;
     // What the blocks have shown, as information: that of the wrench less that of its prior.
     Matrix6 shown = known.inverse();
     for (int i = 0; i < 6; ++i) shown(i, i) -= Scalar(1) / any(rated, i);
-    const Vector6<Scalar> shown_mean = known.solve(silent_mean);
-    // Of any wrench: what is known of it, silent, is what its prior and the blocks say together.
-    Scalar log_any = Scalar(0.5) * detail::dot(silent_mean, shown_mean) + known.log_det_lower();
+    const Vector6<Scalar> shown_mean = known.solve(wrench);
+    // Of any wrench: what is known of it is what its prior and the blocks say together.
+    Scalar log_any = Scalar(0.5) * detail::dot(wrench, shown_mean) + known.log_det_lower();
     for (int i = 0; i < 6; ++i) log_any -= Scalar(0.5) * std::log(any(rated, i));
     // Of the weight of a payload, w = Y (phi - held), where phi is from the prior for the mass that the wrench shows.
     const Eigen::Matrix<Scalar, 6, 4> Y = weight_regressor(model);
@@ -177,14 +181,23 @@ struct Disturbance {
     slope += back;
     const Vector4<Scalar> at_mean = detail::product(G, mean);
     const Vector4<Scalar> white = detail::transposed_product(L, detail::difference(slope, at_mean));
-    Matrix4<Scalar> spread = detail::transposed_product(L, Matrix4<Scalar>(detail::product(G, L)));
-    for (int i = 0; i < 4; ++i) spread(i, i) += Scalar(1);
-    const Cholesky<Scalar, 4> of_payload(spread);
+    Matrix4<Scalar> white_spread = detail::transposed_product(L, Matrix4<Scalar>(detail::product(G, L)));
+    for (int i = 0; i < 4; ++i) white_spread(i, i) += Scalar(1);
+    const Cholesky<Scalar, 4> of_payload(white_spread);
     if (!of_payload.positive_definite()) return kNone;
     const Scalar log_payload = detail::dot(mean, slope) - Scalar(0.5) * detail::dot(mean, at_mean) -
                                detail::dot(pull, held) - Scalar(0.5) * detail::dot(held, back) +
                                Scalar(0.5) * detail::dot(white, of_payload.solve(white)) - of_payload.log_det_lower();
     return log_silent + log_payload - log_any;
+  }
+
+  /// How far the hand has moved in the block [m]: the part of what dq shows of it that is not noise. Noise in a regressor
+  /// would make the stiffness look smaller (James and Stein's estimate in place of the measurement).
+  static Scalar seen(const Model& model) noexcept {
+    const Vector3<Scalar>& moved = model.answer().moved;
+    const Scalar square = detail::dot(moved, moved);
+    if (!(square > 0)) return Scalar(0);
+    return std::sqrt(square) * std::max(Scalar(0), 1 - 3 * model.block().position_noise / square);
   }
 
  private:
@@ -198,7 +211,7 @@ struct Disturbance {
   static constexpr double kGrowth = 0.06;       // its growth along itself in kTrembleTime, per rated payload [N/kg]
   static constexpr double kAnew = 1e-3;         // probability per block that a hand pushes anew, in any way
   static constexpr double kShare = 0.5;         // mean and standard deviation of s: from not at all to completely
-  static constexpr double kTiming = 0.5;        // standard deviation of ln(delay) of an answer
+  static constexpr double kTiming = 0.5;        // share of an answer that has not settled: standard deviation
   static constexpr double kLever = 0.01;        // of an answer's force about the point where the hand is held [m]
   static constexpr double kStiff = 0.5;         // mean and standard deviation of k [kN/m]
   static constexpr double kJolt = 3;            // torque of a jolt, times the joint's scale [N m]

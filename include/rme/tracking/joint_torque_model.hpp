@@ -200,10 +200,9 @@ class JointTorqueModel {
   // How far friction has turned over in this block, and the decaying maximum of that (turn()).
   Torque turned_ = Torque::Zero(), turning_ = Torque::Zero();
   // Per joint [N m]: average of the torque over the last 0.08 s; change of the motor's torque in this block
-  // (follow_torque()); change of the compensation that tau_ext shows in this block if friction holds the joint, and its
-  // change with ln(delay).
+  // (follow_torque()); changes of TorqueBlock::balanced and TorqueBlock::unsettled since the last block.
   Torque recent_torque_ = Torque::Zero(), torque_change_ = Torque::Zero();
-  Torque balanced_ = Torque::Zero(), balanced_timing_ = Torque::Zero();
+  Torque balanced_ = Torque::Zero(), unsettled_ = Torque::Zero();
   Vector3<Scalar> gravity_;
   Answer<Scalar> answer_;
   Eigen::Matrix<Scalar, Dofs, 2> tilt_ = Eigen::Matrix<Scalar, Dofs, 2>::Zero();  // d tau / d tilt [N m/rad]
@@ -228,7 +227,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   noise_.watch(block, timing_noise_);
   follow_torque(block);
   balanced_ = context.balanced;
-  balanced_timing_ = context.balanced_timing;
+  unsettled_ = context.unsettled;
   turn(block);
   started_ = true;
   // The error of the flange's acceleration makes an error of the payload's inertia force and moment (T29). The payload's
@@ -289,7 +288,7 @@ void JointTorqueModel<Scalar, Dofs>::balance(Star& star, int j) const noexcept {
   using std::abs;
   using std::sqrt;
   constexpr double kShare = 0.2;   // standard deviation of the share of C that friction balances where it is able to
-  constexpr double kTiming = 0.5;  // standard deviation of ln(delay)
+  constexpr double kTiming = 0.5;  // standard deviation of the share of what has not settled
   const Scalar size = abs(balanced_[j]), towards = balanced_[j] > 0 ? Scalar(-1) : Scalar(1);
   const auto mean = star.nuisance_mean(j);
   const auto covariance = star.nuisance_covariance(j);
@@ -302,7 +301,7 @@ void JointTorqueModel<Scalar, Dofs>::balance(Star& star, int j) const noexcept {
   renew(star, j, kStiction, keep, Scalar(0));
   auto& joint = star.joint(j);
   joint.covariance(kStiction, kStiction) += (within * (1 - within) + Scalar(kShare * kShare)) * size * size +
-                                            Scalar(kTiming * kTiming) * balanced_timing_[j] * balanced_timing_[j];
+                                            Scalar(kTiming * kTiming) * unsettled_[j] * unsettled_[j];
   joint.mean[kStiction] += mean[kStiction] + towards * size * within - star.nuisance_mean(j)[kStiction];
 }
 

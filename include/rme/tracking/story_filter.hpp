@@ -132,9 +132,18 @@ class StoryFilter {
     wrench = child.star;
     Acts::predict(model_, wrench, parent.how, rated_);
     Scalar log_likelihood = Acts::observe(model_, wrench, parent.how, log_jolt(), rated_, out.squared);
-    const Scalar weighed = Acts::weigh(model_, wrench, payload_, rated_);
-    // What began softly has paid nothing for its size, so that a payload has nothing to gain from having a smaller prior.
-    log_likelihood += child.soft ? std::min(Scalar(0), weighed) : weighed;
+    const auto weighs = [&](bool silent) {
+      const Scalar weighed = Acts::weigh(model_, wrench, payload_, rated_, silent);
+      // What began softly has paid nothing for its size, and of what has answered so far nothing is taken back. So a
+      // payload has nothing to gain from having a smaller prior.
+      return child.soft || !silent ? std::min(Scalar(0), weighed) : weighed;
+    };
+    // Either it has been one since it began, or it is one from now on: what has answered has let go.
+    const Scalar always = weighs(true);
+    const Scalar from_now = weighs(false) + std::log(Acts::seen(model_) / Scalar(kWay) + Scalar(1e-9));
+    const Scalar high = std::max(always, from_now);
+    if (!(high > Scalar(-1e6))) return high;
+    log_likelihood += high + std::log(std::exp(always - high) + std::exp(from_now - high));
     child.star.end_wrench();
     child.payload = child.take_next();
     draw(child, children.first(), out);
@@ -147,6 +156,9 @@ class StoryFilter {
   /// Log probability that a jolt hides a disturbance in a block.
   Scalar log_jolt() const noexcept { return static_cast<Scalar>(std::log(model_.kind().jolt)); }
 
+  // What answers lets go, and leaves a weight, as a table does from which it is lifted: while the hand moves so far in a
+  // block, as likely as that a wrench turns out to have been a weight all along [m].
+  static constexpr double kWay = 1e-4;
   static constexpr double kLightest = 0.007, kHeaviest = 1.2;  // times the rated payload: 20 g and 3.6 kg on a Panda
 
   /// Draws a new payload. The prior of m r needs the mass, and the block itself shows the mass best. So the prior is for

@@ -39,7 +39,8 @@ struct TorqueBlock {
   /// What the host adds to its command for the payload, as tau_ext would show it if the arm could not move: after the
   /// delay of drive and contact. Averaged like tau [N m].
   JointVector<Scalar, Dofs> balanced = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> balanced_timing = JointVector<Scalar, Dofs>::Zero();  ///< its change with ln(delay) [N m]
+  /// What of it may come later or has come too early: it less its average over kSettleTime [N m].
+  JointVector<Scalar, Dofs> unsettled = JointVector<Scalar, Dofs>::Zero();
   /// How far the end-effector origin has moved since the first sample, averaged like tau; world axes [m].
   Vector3<Scalar> position = Vector3<Scalar>::Zero();
   Scalar position_noise = Scalar(0);  ///< variance that the noise of dq adds to it per block, mean over the axes [m^2]
@@ -53,9 +54,9 @@ struct TorqueBlock {
 /// exerts, after the delay of drive and contact.
 template <typename Scalar>
 struct Answer {
-  Vector6<Scalar> change = Vector6<Scalar>::Zero();  ///< since the last block [N, N m]
-  Vector6<Scalar> timing = Vector6<Scalar>::Zero();  ///< change of that with ln(delay) [N, N m]
-  Vector3<Scalar> moved = Vector3<Scalar>::Zero();   ///< motion of the hand since the last block, world axes [m]
+  Vector6<Scalar> change = Vector6<Scalar>::Zero();     ///< since the last block [N, N m]
+  Vector6<Scalar> unsettled = Vector6<Scalar>::Zero();  ///< of that, what may come later or has come too early [N, N m]
+  Vector3<Scalar> moved = Vector3<Scalar>::Zero();      ///< motion of the hand since the last block, world axes [m]
 };
 
 /// What is known of a block in addition to its samples.
@@ -64,9 +65,9 @@ struct BlockContext {
   bool exchange_likely = false;  ///< the host says that the payload changes now
   Scalar log_share = Scalar(0);  ///< log probability that the arm has this kind of torque sensing
   bool friction_shows = false;   ///< it is certain that tau_ext contains joint friction
-  /// Changes of TorqueBlock::balanced and balanced_timing since the last block [N m].
+  /// Changes of TorqueBlock::balanced and TorqueBlock::unsettled since the last block [N m].
   JointVector<Scalar, Dofs> balanced = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> balanced_timing = JointVector<Scalar, Dofs>::Zero();
+  JointVector<Scalar, Dofs> unsettled = JointVector<Scalar, Dofs>::Zero();
   Answer<Scalar> answer;  ///< of a hand that cannot move
 };
 
@@ -97,6 +98,8 @@ class BlockAverager {
   static constexpr double kObserverPeriod = 0.001;
   /// Time constant until tau_ext shows a new compensation where the arm cannot move: of drive, arm and contact [s].
   static constexpr double kBalanceTime = 0.02;
+  /// Time constant after which it has settled: a hand on something stiff may swing [s].
+  static constexpr double kSettleTime = 0.06;
 
   /// @param bandwidth  K of the observer that computed tau_ext [rad/s]; 0 if tau_ext is unfiltered
   /// @param gravity    g [m/s^2], world axes
@@ -156,8 +159,8 @@ class BlockAverager {
   Twist<Scalar> last_twist_;  // J dq of the last sample
   JointVector<Scalar, Dofs> torque_ = JointVector<Scalar, Dofs>::Zero();
   Vector3<Scalar> position_ = Vector3<Scalar>::Zero();  // integral of J dq [m]
-  // The compensation after one lag of kBalanceTime, and after a second one [N m].
-  JointVector<Scalar, Dofs> balanced_ = JointVector<Scalar, Dofs>::Zero(), twice_ = JointVector<Scalar, Dofs>::Zero();
+  // The compensation after a lag of kBalanceTime, and after a second one, of kSettleTime [N m].
+  JointVector<Scalar, Dofs> balanced_ = JointVector<Scalar, Dofs>::Zero(), settled_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> difference_ = JointVector<Scalar, Dofs>::Zero();  // last change of dq, sample to sample
   JointVector<Scalar, Dofs> step_ = JointVector<Scalar, Dofs>::Zero();
   int samples_ = 0;
@@ -192,7 +195,7 @@ void BlockAverager<Scalar, Dofs>::begin() noexcept {
   changes_.setZero();
   unmeasured_.setZero();
   sums_.balanced.setZero();
-  sums_.balanced_timing.setZero();
+  sums_.unsettled.setZero();
   sums_.position.setZero();
   sums_.tau.setZero();
   sums_.torque_rate.setZero();
@@ -272,7 +275,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
     last_ = sample;
     last_twist_ = twist;
     torque_ = sample.tau_ext;
-    if (sample.compensation) balanced_ = twice_ = *sample.compensation;
+    if (sample.compensation) balanced_ = settled_ = *sample.compensation;
     begin();
     return false;
   }
@@ -307,12 +310,11 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   if (sample.compensation) {
     const Scalar comes = Scalar(1) - std::exp(static_cast<Scalar>(-dt / kBalanceTime));
     detail::add_scaled(balanced_, comes, detail::difference(*sample.compensation, balanced_));
-    detail::add_scaled(twice_, Scalar(1) - std::exp(static_cast<Scalar>(-dt / 0.06)),
-                       detail::difference(balanced_, twice_));
+    detail::add_scaled(settled_, Scalar(1) - std::exp(static_cast<Scalar>(-dt / kSettleTime)),
+                       detail::difference(balanced_, settled_));
   }
   detail::add_scaled(sums_.balanced, weight, balanced_);
-  // A lag 1 / (1 + T s) changes with ln T by -T s / (1 + T s)^2: the second lag less the first.
-  detail::add_scaled(sums_.balanced_timing, weight, detail::difference(twice_, balanced_));
+  detail::add_scaled(sums_.unsettled, weight, detail::difference(balanced_, settled_));
   part_duration_ += h;
   part_weight_ += weight;
   detail::add_scaled(part_change_.linear, shape, detail::difference(twist.linear, last_twist_.linear));
@@ -347,7 +349,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   learn_noise();
   shrink();
   sums_.balanced /= weight_;
-  sums_.balanced_timing /= weight_;
+  sums_.unsettled /= weight_;
   sums_.position /= weight_;
   sums_.gravity_torque = sample.gravity_torque;
   sums_.velocity_noise = noise_;

@@ -70,18 +70,18 @@ class Tracker {
     context.exchange_likely = exchange_likely;
     context.friction_shows = belief_.sensing[static_cast<std::size_t>(Sensing::LinkSide)] < Scalar(kCertain);
     const Vector6<Scalar> wrench = wrench_of(block.jacobian, block.balanced);
-    const Vector6<Scalar> timing = wrench_of(block.jacobian, block.balanced_timing);
+    const Vector6<Scalar> unsettled = wrench_of(block.jacobian, block.unsettled);
     if (carries_) {
       context.balanced = detail::difference(block.balanced, balanced_);
-      context.balanced_timing = detail::difference(block.balanced_timing, balanced_timing_);
-      context.answer = {detail::difference(wrench_, wrench), detail::difference(timing_, timing),
+      context.unsettled = detail::difference(block.unsettled, unsettled_);
+      context.answer = {detail::difference(wrench_, wrench), detail::difference(unsettled_wrench_, unsettled),
                         detail::difference(block.position, position_)};
     }
     carries_ = true;
     balanced_ = block.balanced;
     wrench_ = wrench;
-    balanced_timing_ = block.balanced_timing;
-    timing_ = timing;
+    unsettled_ = block.unsettled;
+    unsettled_wrench_ = unsettled;
     position_ = block.position;
     for (std::size_t k = 0; k < kSensings; ++k) {
       context.log_share = static_cast<Scalar>(evidence_[k]);
@@ -299,10 +299,10 @@ class Tracker {
   Scalar duration_ = Scalar(0), speed_ = Scalar(0);
   TrackerBelief<Scalar> belief_;
   Vector3<Scalar> last_axis_ = Vector3<Scalar>::Zero();  // axis of the last joint, in end-effector axes
-  // Of the last block: TorqueBlock::balanced and balanced_timing [N m], their wrenches, and TorqueBlock::position [m].
+  // Of the last block: TorqueBlock::balanced and unsettled [N m], their wrenches, and TorqueBlock::position [m].
   JointVector<Scalar, Dofs> balanced_ = JointVector<Scalar, Dofs>::Zero();
-  JointVector<Scalar, Dofs> balanced_timing_ = JointVector<Scalar, Dofs>::Zero();
-  Vector6<Scalar> wrench_ = Vector6<Scalar>::Zero(), timing_ = Vector6<Scalar>::Zero();
+  JointVector<Scalar, Dofs> unsettled_ = JointVector<Scalar, Dofs>::Zero();
+  Vector6<Scalar> wrench_ = Vector6<Scalar>::Zero(), unsettled_wrench_ = Vector6<Scalar>::Zero();
   Vector3<Scalar> position_ = Vector3<Scalar>::Zero();
   bool carries_ = false;  // there was a last block
 };
