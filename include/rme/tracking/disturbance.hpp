@@ -58,9 +58,9 @@ struct Disturbance {
     const TorqueBlock<Scalar, Dofs>& block = model.block();
     const Answer<Scalar>& answer = model.answer();
     const Scalar blocks = block.duration / Scalar(kTrembleTime);
-    const double share = how == Disturbing::Hand ? kTremble : how == Disturbing::Growing ? kOwn : 0;
+    const double trembles = how == Disturbing::Hand ? kTremble : how == Disturbing::Growing ? kOwn : 0;
     Eigen::Matrix<Scalar, 6, 6> noise = Eigen::Matrix<Scalar, 6, 6>::Zero();
-    for (int i = 0; i < 6; ++i) noise(i, i) = Scalar(share * share) * blocks * any(rated, i);
+    for (int i = 0; i < 6; ++i) noise(i, i) = Scalar(trembles * trembles) * blocks * any(rated, i);
     detail::add_outer(noise, detail::scaled(Scalar(kTiming * kTiming), answer.unsettled), answer.unsettled);
     // Where the hand is held is not known: so the force of an answer is known, but not its moment.
     Scalar force = Scalar(0);

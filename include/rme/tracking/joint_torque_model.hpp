@@ -288,7 +288,7 @@ void JointTorqueModel<Scalar, Dofs>::balance(Star& star, int j) const noexcept {
   using std::abs;
   using std::sqrt;
   constexpr double kShare = 0.2;   // standard deviation of the share of C that friction balances where it is able to
-  constexpr double kTiming = 0.5;  // standard deviation of the share of what has not settled
+  constexpr double kTiming = 0.2;  // standard deviation of the share of what has not settled: nothing swings
   const Scalar size = abs(balanced_[j]), towards = balanced_[j] > 0 ? Scalar(-1) : Scalar(1);
   const auto mean = star.nuisance_mean(j);
   const auto covariance = star.nuisance_covariance(j);
