@@ -94,8 +94,7 @@ PayloadGaussian<Scalar> payload_of(const InertialGaussian<Scalar>& phi, const Pa
 /// Bounds what is said of the centre of mass by what a body can have: no entry of r is less certain than one that is drawn
 /// from a prior twice as wide. A small mass that is hardly known leaves any r possible to first order (T32), and torque that
 /// nothing explains makes all covariances larger.
-/// @param free   before; returned as it is if r is known better
-/// @param prior  of the payload
+/// @param free  before; returned as it is if r is known better
 template <typename Scalar>
 PayloadGaussian<Scalar> within_prior(const PayloadGaussian<Scalar>& free, const PayloadPrior<Scalar>& prior) noexcept {
   constexpr double kWidest = 2;  // of the prior's standard deviations
