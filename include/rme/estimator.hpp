@@ -241,7 +241,6 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   PayloadGaussian<Scalar> held = payload_of(belief.payload, payload_prior_);
   // If innovations are far larger than the model predicts, the covariance that it predicts is too small as well.
   held.covariance *= excess();
-  held = within_prior(held, payload_prior_);
   const Scalar empty = belief.empty, mass = held.mean[0];
   // A mass below this cannot be distinguished from an offset. It is larger for an empty hand, whose mass no block has
   // measured.

@@ -91,24 +91,4 @@ PayloadGaussian<Scalar> payload_of(const InertialGaussian<Scalar>& phi, const Pa
   return out;
 }
 
-/// Bounds what is said of the centre of mass by what a body can have: no entry of r is less certain than one that is drawn
-/// from a prior twice as wide. A small mass that is hardly known leaves any r possible to first order (T32), and torque that
-/// nothing explains makes all covariances larger.
-/// @param free  before; returned as it is if r is known better
-template <typename Scalar>
-PayloadGaussian<Scalar> within_prior(const PayloadGaussian<Scalar>& free, const PayloadPrior<Scalar>& prior) noexcept {
-  constexpr double kWidest = 2;  // of the prior's standard deviations
-  PayloadGaussian<Scalar> out = free;
-  for (int i = 1; i < 4; ++i) {  // the rest of the widest variance is left open (docs/theory.md (T54))
-    const Scalar widest = static_cast<Scalar>(kWidest * kWidest) * prior.com_std[i - 1] * prior.com_std[i - 1];
-    if (!(free.covariance(i, i) > widest)) continue;
-    const Scalar share = widest / free.covariance(i, i), centre = prior.com_mean[i - 1];
-    out.mean[i] = centre + share * (free.mean[i] - centre);
-    for (int j = 0; j < 4; ++j) out.covariance(i, j) *= share;
-    for (int j = 0; j < 4; ++j) out.covariance(j, i) *= share;
-    out.covariance(i, i) = widest;
-  }
-  return out;
-}
-
 }  // namespace rme
