@@ -7,7 +7,7 @@ namespace rme::python {
 
 namespace {
 
-constexpr int kObjects = 64;  // that a catalogue has room for: some 50 kB
+constexpr int kObjects = 64;  // that a catalogue has room for: some 13 kB
 using Catalogue = ObjectCatalogue<double, kObjects>;
 
 // An answer, with the names that it refers to. A copy: neither the state nor the catalogue changes it.
@@ -101,10 +101,9 @@ void bind_catalogue(py::module_& module) {
                 }),
                 py::arg("unknown") = py::none(), py::arg("unknown_share") = 0.05, py::arg("certain") = 0.98,
                 "unknown: PayloadPrior of what is none of the objects, the estimator's: EstimatorConfig.payload, or\n"
-                "PayloadPrior.of(rated_payload); None for that of the default settings. unknown_share: how probable "
-                "such a thing is,\n"
-                "above 0 and below 1. certain: probability from which an answer is given, 0.5 to below 1. Raises\n"
-                "ValueError naming what is out of range.");
+                "PayloadPrior.of(rated_payload); None for that of the default settings. unknown_share: how probable\n"
+                "such a thing is, above 0 and below 1. certain: probability from which an answer is given, 0.5 to\n"
+                "below 1. Raises ValueError naming what is out of range.");
   catalogue.def(
       "add", &PythonCatalogue::add, py::arg("name"), py::arg("payload"), py::arg("weight") = 1.0,
       "Adds an object, and returns its index. name: 1 to 31 bytes, a new one. payload: PayloadGaussian, when\n"
