@@ -238,9 +238,9 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   state_.health = belief.health;
   state_.sensing = belief.sensing;
   state_.tool = belief.tool;
-  PayloadGaussian<Scalar> held = payload_of(belief.payload, payload_prior_);
+  PayloadGaussian<Scalar> held = within_prior(payload_of(belief.payload, payload_prior_), payload_prior_);
   // If innovations are far larger than the model predicts, the covariance that it predicts is too small as well.
-  held.covariance *= excess();
+  held.covariance = no_wider_than_prior<Scalar>(excess() * held.covariance, payload_prior_);
   const Scalar empty = belief.empty, mass = held.mean[0];
   // A mass below this cannot be distinguished from an offset. It is larger for an empty hand, whose mass no block has
   // measured.

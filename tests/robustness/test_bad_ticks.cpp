@@ -157,6 +157,7 @@ double mass_error_after(const Fault& fault, unsigned seed) {
   rme::Estimator<Scalar, 7> estimator(HeldArm::kPeriod);
   rme::CompensationRamp<Scalar, 7> ramp{Scalar(HeldArm::kPeriod)};
   const int begin = 900 + static_cast<int>(below(random, 2000));
+  const rme::Vector3<Scalar> widest = Scalar(2.001) * rme::PayloadPrior<Scalar>::of(Scalar(3)).com_std;
   rme::JointVector<Scalar, 7> commanded = ramp.torque();
   Tick before = arm.tick();
   for (int k = 0; k < 9000; ++k) {
@@ -174,6 +175,7 @@ double mass_error_after(const Fault& fault, unsigned seed) {
     in.dq = tick.dq.template cast<Scalar>();
     (void)estimator.update(in);
     REQUIRE(answers(estimator, in).allFinite());
+    REQUIRE((estimator.state().payload.standard_deviation().template tail<3>().array() <= widest.array()).all());
     REQUIRE(ramp.update(estimator.compensation(in.jacobian, in.rotation)) == Status::Ok);
     REQUIRE((ramp.torque() - commanded).cwiseAbs().maxCoeff() <= Scalar(0.5001));
     commanded = ramp.torque();

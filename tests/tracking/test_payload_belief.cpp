@@ -1,3 +1,4 @@
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
 #include <rme/tracking/payload_belief.hpp>
@@ -182,6 +183,80 @@ TEST_CASE("payload_of: a payload too light to show its centre has the prior's", 
     CHECK(out.mean.tail<3>() == prior.com_mean);
     CHECK(out.covariance(0, 0) == phi.covariance(0, 0));
     CHECK(out.covariance.diagonal().tail<3>() == prior.com_std.cwiseAbs2());
+  }
+}
+
+TEST_CASE("within_prior: where the ratio says less of the centre than the prior does, it is the best linear estimate",
+          "[belief]") {
+  const unsigned seed = 554;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> n;
+  const auto prior = rme::PayloadPrior<double>::of(3);
+  // A centre from twice the prior, and a ratio that is off by far more, by an error that goes with the mass.
+  const rme::Vector3<double> width = 2 * prior.com_std, noise(0.5, 1, 50);
+  rme::PayloadGaussian<double> ratio;
+  ratio.mean << 0.05, 3, -0.4, 11;
+  ratio.covariance.setZero();
+  ratio.covariance(0, 0) = 0.01 * 0.01;
+  for (int i = 0; i < 3; ++i) {
+    ratio.covariance(1 + i, 1 + i) = width[i] * width[i] + noise[i] * noise[i];
+    ratio.covariance(0, 1 + i) = ratio.covariance(1 + i, 0) = 0.005 * noise[i];
+  }
+  ratio.covariance(1, 2) = ratio.covariance(2, 1) = 0.1;
+  const auto out = rme::within_prior(ratio, prior);
+  for (int i = 0; i < 3; ++i) {
+    CAPTURE(i);
+    const double gain = width[i] * width[i] / ratio.covariance(1 + i, 1 + i);
+    CHECK(out.mean[1 + i] == Approx(prior.com_mean[i] + gain * (ratio.mean[1 + i] - prior.com_mean[i])));
+    CHECK(out.standard_deviation()[1 + i] == Approx(width[i]));
+    CHECK(out.covariance(0, 1 + i) == Approx(gain * ratio.covariance(0, 1 + i)));
+    CHECK(out.covariance(1 + i, 0) == out.covariance(0, 1 + i));
+  }
+  CHECK(out.mean[0] == ratio.mean[0]);
+  CHECK(out.covariance(0, 0) == ratio.covariance(0, 0));
+  // An error of the ratio that is drawn leaves the centre within what is stated, as often as it should.
+  int held = 0;
+  constexpr int kDraws = 100'000;
+  for (int k = 0; k < kDraws; ++k) {
+    const double centre = prior.com_mean[0] + width[0] * n(random);
+    rme::PayloadGaussian<double> drawn = ratio;
+    drawn.mean[1] = centre + noise[0] * n(random);
+    const double off = rme::within_prior(drawn, prior).mean[1] - centre;
+    held += std::abs(off) < 1.645 * width[0] ? 1 : 0;
+  }
+  CHECK(held > 0.9 * kDraws);
+}
+
+TEST_CASE(
+    "within_prior: a centre that is known better than twice the prior is not touched, and no covariance becomes "
+    "indefinite",
+    "[belief]") {
+  const unsigned seed = 555;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const auto prior = rme::PayloadPrior<double>::of(3);
+  for (int trial = 0; trial < 1000; ++trial) {
+    CAPTURE(trial);
+    rme::PayloadGaussian<double> free;
+    const oracle::Matrix L = std::pow(10.0, trial % 5 - 2) * oracle::random_matrix(random, 4, 4);
+    free.covariance = L * L.transpose();
+    free.mean = oracle::random_matrix(random, 4, 1);
+    const auto out = rme::within_prior(free, prior);
+    bool known = true;
+    for (int i = 0; i < 3; ++i) {
+      known = known && std::sqrt(free.covariance(1 + i, 1 + i)) <= 2 * prior.com_std[i];
+      CHECK(out.standard_deviation()[1 + i] <= 2 * prior.com_std[i] * (1 + 1e-12));
+    }
+    if (known) CHECK((out.mean == free.mean && out.covariance == free.covariance));
+    const rme::Matrix4<double> larger = rme::no_wider_than_prior<double>(10 * out.covariance, prior);
+    for (int i = 0; i < 3; ++i)
+      CHECK(std::sqrt(larger(1 + i, 1 + i)) ==
+            Approx(std::min(2 * prior.com_std[i], std::sqrt(10 * out.covariance(1 + i, 1 + i)))));
+    CHECK(larger(0, 0) == 10 * out.covariance(0, 0));
+    for (const oracle::Matrix& covariance : {oracle::Matrix(out.covariance), oracle::Matrix(larger)})
+      CHECK(Eigen::SelfAdjointEigenSolver<oracle::Matrix>(covariance).eigenvalues().minCoeff() >
+            -1e-9 * covariance.norm());
   }
 }
 

@@ -91,4 +91,38 @@ PayloadGaussian<Scalar> payload_of(const InertialGaussian<Scalar>& phi, const Pa
   return out;
 }
 
+/// Bounds a covariance of theta = (m, r): no entry of r is less certain than one that is drawn from a prior twice as wide,
+/// since a body has its centre within reach of the hand.
+/// @param covariance  of theta, positive semidefinite; returned as it is if r is known better
+/// @param prior       of the payload
+template <typename Scalar>
+Matrix4<Scalar> no_wider_than_prior(const Matrix4<Scalar>& covariance, const PayloadPrior<Scalar>& prior) noexcept {
+  constexpr double kWidest = 2;  // of the prior's standard deviations
+  Matrix4<Scalar> out = covariance;
+  for (int i = 1; i < 4; ++i) {  // the rest of the widest variance is left open (docs/theory.md (T54))
+    const Scalar widest = static_cast<Scalar>(kWidest * kWidest) * prior.com_std[i - 1] * prior.com_std[i - 1];
+    if (!(covariance(i, i) > widest)) continue;
+    const Scalar share = widest / covariance(i, i);
+    for (int j = 0; j < 4; ++j) out(i, j) *= share;
+    for (int j = 0; j < 4; ++j) out(j, i) *= share;
+    out(i, i) = widest;
+  }
+  return out;
+}
+
+/// What is known of theta if r is known no better than no_wider_than_prior() says: what exceeds it counts as an error of
+/// r's measurement. A small mass that is hardly known leaves any r possible to first order (T32).
+/// @param free   before
+/// @param prior  of the payload
+template <typename Scalar>
+PayloadGaussian<Scalar> within_prior(const PayloadGaussian<Scalar>& free, const PayloadPrior<Scalar>& prior) noexcept {
+  PayloadGaussian<Scalar> out{free.mean, no_wider_than_prior(free.covariance, prior)};
+  for (int i = 1; i < 4; ++i) {
+    const Scalar centre = prior.com_mean[i - 1];
+    if (out.covariance(i, i) < free.covariance(i, i))
+      out.mean[i] = centre + out.covariance(i, i) / free.covariance(i, i) * (free.mean[i] - centre);
+  }
+  return out;
+}
+
 }  // namespace rme
