@@ -112,12 +112,11 @@ class Estimator {
   static constexpr int kChildren = 16;        // children that a busy block has, over all kinds of sensing
   static constexpr int kManyChildren = 1000;  // more than a block can have
 
-  /// phi of the payload, as state() has it.
+  /// phi of the payload, as state() has it; but the first moment, known together with the mass, is not bounded.
   InertialVector<Scalar> body() const noexcept {
-    const Vector4<Scalar>& theta = state_.payload.mean;
     InertialVector<Scalar> phi = detail::scaled(state_.held, state_.inertial.mean);
-    phi[0] = theta[0];
-    for (int i = 1; i < 4; ++i) phi[i] = theta[0] * theta[i];
+    phi[0] = carried_[0];
+    for (int i = 1; i < 4; ++i) phi[i] = carried_[0] * carried_[i];
     return phi;
   }
   Scalar share() const noexcept {
@@ -141,6 +140,7 @@ class Estimator {
   StaleTorque<Scalar, Dofs> stale_;
   RemovalGuard<Scalar, Dofs> guard_;
   EstimatorState<Scalar> state_;
+  Vector4<Scalar> carried_ = Vector4<Scalar>::Zero();                 // (m, r) of body()
   Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();  // of the last good sample
   Matrix3<Scalar> rotation_ = Matrix3<Scalar>::Identity();
   int steps_per_tick_;
@@ -189,7 +189,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   rotation_ = in.rotation;
   const bool complete = averager_.add(sample, dt, state_.time);
   const Vector6<Scalar> weight =
-      payload_wrench(Payload<Scalar>::from_vector(state_.payload.mean), in.rotation, config_.gravity).vector();
+      payload_wrench(Payload<Scalar>::from_vector(carried_), in.rotation, config_.gravity).vector();
   guard_.update(averager_.torque(), Torque(detail::transposed_product(in.jacobian, weight)), static_cast<Scalar>(dt));
   expected_ = std::max(0.0, expected_ - dt);
   // With a Jacobian of zeros, tau_ext does not depend on the payload.
@@ -238,7 +238,8 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   state_.health = belief.health;
   state_.sensing = belief.sensing;
   state_.tool = belief.tool;
-  PayloadGaussian<Scalar> held = within_prior(payload_of(belief.payload, payload_prior_), payload_prior_);
+  const PayloadGaussian<Scalar> free = payload_of(belief.payload, payload_prior_);
+  PayloadGaussian<Scalar> held = within_prior(free, payload_prior_);
   // If innovations are far larger than the model predicts, the covariance that it predicts is too small as well.
   held.covariance = no_wider_than_prior<Scalar>(excess() * held.covariance, payload_prior_);
   const Scalar empty = belief.empty, mass = held.mean[0];
@@ -256,6 +257,8 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
     }
   }
   held.covariance(0, 0) = std::max(variance, least * least);
+  carried_ = held.mean;
+  for (int i = 1; i < 4 && !state_.empty(); ++i) carried_[i] = free.mean[i];
   state_.payload = held;
   state_.confidence = share() / excess();
 }
