@@ -305,8 +305,9 @@ class StarGaussian {
   /// @param square  E[e^2]
   void widen_payload(Scalar square) noexcept {
     XMatrix total = covariance();
-    for (int i = kPayload; i < kPayload + kInertial; ++i)
-      for (int k = kPayload; k < kPayload + kInertial; ++k) total(i, k) += square * mean_[i] * mean_[k];
+    X along = X::Zero();
+    for (int i = kPayload; i < kPayload + kInertial; ++i) along[i] = mean_[i];
+    detail::add_outer(total, detail::scaled(square, along), along);
     restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
   }
   /// From now on, the payload swings, with a force of zero mean. Nothing may be poured meanwhile.
