@@ -73,7 +73,7 @@ class EnumeratedStories {
         add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, std::log(probability)));
     };
     const auto drawn = [&](double probability, bool late) {
-      const double hangs = Transitions::kHangs * kind.slowly;
+      const double hangs = p.mode == Mode::Held ? 0 : Transitions::kHangs * kind.slowly;
       child(Mode::Held, probability * (1 - hangs), Disturbing::Hand, true, false, late);
       child(Mode::Held, probability * hangs, Disturbing::Hand, true, false, late, false, false, true);
     };
@@ -228,7 +228,7 @@ class EnumeratedStories {
       if (swings && parent.star.swings()) {
         child.swing.predict(child.star, duration);
       } else if (swings) {
-        child.star.widen_payload(0.15 * 0.15 * std::min(1.0, 0.3 / std::max(child.held_for, 0.15)));
+        child.star.widen_payload(0.15 * 0.15 * std::exp(-child.held_for / 0.15));
         child.swing.begin(child.star, weight(child.star));
         child.log_none.reset();
       }

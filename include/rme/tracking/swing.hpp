@@ -62,10 +62,11 @@ class Swing {
   /// Frequency of the swing, from the times between its turns; 0 before there were two [Hz].
   Scalar frequency() const noexcept { return half_ > 0 ? Scalar(0.5) / half_ : Scalar(0); }
 
-  /// Square of the relative error that a swing has caused in a payload, if nothing told of it while it was held.
+  /// Mean square of the relative error that a swing has caused in a payload before it was noticed. One that has been there
+  /// for longer than its correlation time would have been noticed.
   /// @param held_for  since the payload was drawn [s]
   static Scalar hidden(Scalar held_for) noexcept {
-    return Scalar(kForce * kForce) * std::min(Scalar(1), Scalar(2 * kTime) / std::max(held_for, Scalar(kTime)));
+    return Scalar(kForce * kForce) * std::exp(-held_for / Scalar(kTime));
   }
 
  private:

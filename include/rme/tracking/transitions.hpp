@@ -29,8 +29,8 @@ struct Transitions {
   static constexpr double kDisturbs = 1e-3;   ///< something begins to push
   static constexpr double kPours = 6e-4;      ///< something begins to flow into or out of what is held
   static constexpr double kFills = 1.2e-4;    ///< the same of an empty hand
-  static constexpr double kSwings = 1e-3;     ///< what is held begins to swing
-  static constexpr double kHangs = 0.1;       ///< what is held from now on swings, as a share of that
+  static constexpr double kSwings = 3e-4;     ///< what is held begins to swing
+  static constexpr double kHangs = 0.05;      ///< what is held from now on swings, as a share of that
   static constexpr double kSwingEnds = 2e-3;  ///< a swing ends
   static constexpr double kAtOnce = 0.3;      ///< no block lies between the old payload, or none, and the new: as a
                                               ///< share of SensingKind::change, to a new payload and to an empty hand;
@@ -83,16 +83,16 @@ struct Transitions {
       t.how = how;
       use(t);
     };
-    const double hangs = kHangs * kind.slowly;
-    const auto drawn = [&](double probability, bool late) {  // it swings from the start, or it does not
+    const auto drawn = [&](double probability, double hangs, bool late) {  // it swings from the start, or it does not
       Transition t = to(Mode::Held, probability * (1 - hangs));
       t.anew = true;
       t.late = late;
       use(t);
       t.probability = probability * hangs;
       t.swings = true;
-      use(t);
+      if (hangs > 0) use(t);
     };
+    const double hangs = kHangs * kind.slowly;
     switch (story.mode) {
       case Mode::Empty:
       case Mode::Held: {
@@ -115,7 +115,7 @@ struct Transitions {
         }
         if (!explained) {
           use(to(Mode::Changing, change));
-          drawn(at_once, false);
+          drawn(at_once, empty ? hangs : 0, false);
           disturbed(kDisturbs, Disturbing::Hand);
           disturbed(kind.jolt, Disturbing::Jolt);
         }
@@ -145,8 +145,8 @@ struct Transitions {
         const bool may_be_late = kind.lag > 0 && story.star.variance(kLag) < Scalar(kLate * kLate);
         goes_on(1 - kSettles - kEmpties - kTurnsOut);
         disturbed(kTurnsOut, Disturbing::Hand);
-        drawn(kSettles * (may_be_late ? 1 - kIsLate : 1), false);
-        if (may_be_late) drawn(kSettles * kIsLate, true);
+        drawn(kSettles * (may_be_late ? 1 - kIsLate : 1), hangs, false);
+        if (may_be_late) drawn(kSettles * kIsLate, hangs, true);
         use(to(Mode::Empty, kEmpties));
         break;
       }
