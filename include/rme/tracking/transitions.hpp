@@ -30,7 +30,7 @@ struct Transitions {
   static constexpr double kPours = 6e-4;      ///< something begins to flow into or out of what is held
   static constexpr double kFills = 1.2e-4;    ///< the same of an empty hand
   static constexpr double kSwings = 3e-4;     ///< what is held begins to swing
-  static constexpr double kHangs = 0.05;      ///< what is held from now on swings, as a share of that
+  static constexpr double kHangs = 0.15;      ///< what is held from now on swings, as a share of that
   static constexpr double kSwingEnds = 2e-3;  ///< a swing ends
   static constexpr double kAtOnce = 0.3;      ///< no block lies between the old payload, or none, and the new: as a
                                               ///< share of SensingKind::change, to a new payload and to an empty hand;
@@ -92,7 +92,7 @@ struct Transitions {
       t.swings = true;
       if (hangs > 0) use(t);
     };
-    const double hangs = kHangs * kind.slowly;
+    const double hangs = kHangs * kind.swings;
     switch (story.mode) {
       case Mode::Empty:
       case Mode::Held: {
@@ -101,7 +101,7 @@ struct Transitions {
         const double at_once = kAtOnce * change;
         const double never = !empty && story.log_none ? at_once : 0;
         const bool swings = story.star.swings();
-        const double turns = empty ? 0 : swings ? kSwingEnds : kSwings * kind.slowly;
+        const double turns = empty ? 0 : swings ? kSwingEnds : kSwings * kind.swings;
         goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up - turns);
         if (turns > 0 && (swings ? soon : !explained)) {
           Transition t = to(Mode::Held, swings ? turns * kSoon : turns);
