@@ -7,11 +7,7 @@
 #
 # And every name that the glossary gives for a word is in a header.
 cmake_minimum_required(VERSION 3.22)
-function(read file out)
-  file(READ ${file} text)
-  string(REGEX REPLACE "[][;]" "|" text "${text}")
-  set(${out} "${text}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/read.cmake)
 
 # equations_of(PAGE LETTER): LETTER_numbers, those that stand at the end of an indented line.
 function(equations_of page letter)

@@ -1,12 +1,7 @@
 # Every relative link in README.md and docs/ names a file that is there, and so does every file in backquotes; every figure
 # that the README takes from docs/results.md still stands there.
 cmake_minimum_required(VERSION 3.22)
-# read(FILE OUT): brackets and semicolons would split CMake's lists.
-function(read file out)
-  file(READ ${file} text)
-  string(REGEX REPLACE "[][;]" "|" text "${text}")
-  set(${out} "${text}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/read.cmake)
 
 file(GLOB_RECURSE documents ${ROOT}/README.md ${ROOT}/docs/*.md)
 foreach(document IN LISTS documents)

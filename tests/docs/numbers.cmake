@@ -7,11 +7,7 @@
 # A value is compared as it is written, but for spaces. An origin begins with "derived", "measured" or "judged", and the page
 # says how many of each there are.
 cmake_minimum_required(VERSION 3.22)
-function(read file out)
-  file(READ ${file} text)
-  string(REGEX REPLACE "[][;]" "|" text "${text}")
-  set(${out} "${text}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/read.cmake)
 set(tracking ${ROOT}/include/rme/tracking)
 set(page docs/theory.md)
 
