@@ -26,6 +26,7 @@ EstimatorConfig<Scalar, Dofs> fixed_config(const EstimatorConfig<Scalar, Eigen::
   out.torque_sign = config.torque_sign;
   out.rated_payload = config.rated_payload;
   out.observer_bandwidth = config.observer_bandwidth;
+  out.contact_false_alarms = config.contact_false_alarms;
   out.sensing = config.sensing;
   out.payload = config.payload;
   if (!config.arm) return out;

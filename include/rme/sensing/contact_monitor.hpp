@@ -1,0 +1,431 @@
+#pragma once
+/// Notices a contact within milliseconds. In: the external torque that neither the payload nor anything else explains,
+/// each tick. Out: whether it is more than the arm has shown so far by itself, (T61) to (T64), the wrench at the tip that
+/// explains it (T65), and the link that it acts on (T66).
+#include <algorithm>
+#include <cmath>
+#include <rme/core/cholesky.hpp>
+#include <rme/core/small_matrix.hpp>
+#include <rme/core/types.hpp>
+#include <rme/core/wrench.hpp>
+#include <rme/sensing/contact_state.hpp>
+
+namespace rme {
+
+/// The threshold of a statistic that exceeds it as seldom as is stated, from the largest values that it has shown.
+///
+/// The maxima of windows of one second follow Gumbel's law, whatever the correlation time of the statistic: P(max > x) =
+/// exp(-(x - mu) / beta) for large x. mu and beta come from the mean and the variance of the maxima; beta has been seen in
+/// n windows only, so with its posterior the tail is (docs/theory.md (T63))
+///
+///     P(max > x) = (1 + (x - mu) / (n beta))^-n
+///
+/// The prior is that of chi-square with `Degrees` degrees of freedom. No call allocates.
+template <typename Scalar, int Degrees>
+class ExtremeThreshold {
+ public:
+  /// @param per_window  stated probability that the threshold is exceeded in a window, above 0 and below 1
+  explicit ExtremeThreshold(double per_window) noexcept : per_window_(per_window) {
+    // Wilson and Hilferty's quantiles of chi-square. The largest of kIndependent numbers is below mu with probability
+    // 1 / e, and below mu + beta with exp(-1 / e).
+    const auto quantile = [](double z) {
+      const double a = 2.0 / (9.0 * Degrees), root = 1 - a + z * std::sqrt(a);
+      return Degrees * root * root * root;
+    };
+    const double mu = quantile(kLocation), beta = quantile(kLocationAndScale) - mu;
+    mean_ = mu + kEuler * beta;
+    variance_ = kPi * kPi / 6 * beta * beta;
+    solve();
+  }
+  /// Takes in the largest value of a window in which nothing happened.
+  void learn(double largest) noexcept {
+    windows_ = std::min(windows_ + 1, kMemory);
+    const double blend = 1.0 / (kPrior + windows_), away = largest - mean_;
+    mean_ += blend * away;
+    variance_ += blend * ((1 - blend) * away * away - variance_);
+    solve();
+  }
+  Scalar threshold() const noexcept { return threshold_; }  ///< exceeded as seldom as is stated
+  Scalar usual() const noexcept { return usual_; }          ///< mu: exceeded about once in a window
+
+  static constexpr double kWindow = 1;  ///< duration of a window [s]
+
+ private:
+  static constexpr double kEuler = 0.5772156649015329, kPi = 3.141592653589793;
+  static constexpr int kPrior = 20;    // windows that the prior counts as
+  static constexpr int kMemory = 600;  // windows that are remembered: 10 min
+  // Standard normal quantiles of exp(-1 / 50) and of exp(-1 / (50 e)): 50 independent numbers in a window.
+  static constexpr double kLocation = 2.058, kLocationAndScale = 2.441;
+
+  void solve() noexcept {
+    const double n = kPrior + windows_;
+    const double beta = std::sqrt(6 * variance_) / kPi, mu = mean_ - kEuler * beta;
+    usual_ = static_cast<Scalar>(mu);
+    threshold_ = static_cast<Scalar>(mu + n * beta * (std::pow(per_window_, -1 / n) - 1));
+  }
+
+  double per_window_;
+  double mean_ = 0, variance_ = 0;  // of the maxima
+  int windows_ = 0;
+  Scalar threshold_ = Scalar(0), usual_ = Scalar(0);
+};
+
+/// Watches the residual torque s of an arm on two scales: averaged over 4 ms against its mean over the last 0.15 s, and over
+/// 25 ms against the last second. The first one is fast; the second one finds what is small, and what comes slowly.
+///
+///     d = sum over joints of (y_j - m_j)^2 / v_j,   contact if d > threshold             (docs/theory.md (T61, T64))
+///
+/// The variance v_j consists of what noise, speed, change of speed and a turn-over of the joint have shown so far
+/// (T62), and of what is known of the errors of the payload. While there is a contact, nothing is learned, unless the
+/// estimator says that payload and arm explain what happens: then the means follow.
+///
+/// Real time: update() is O(Dofs), O(36 Dofs) each 10 ms; O(Dofs^3) during a contact. Nothing allocates or throws.
+template <typename Scalar, int Dofs>
+class ContactMonitor {
+ public:
+  using Vector = JointVector<Scalar, Dofs>;  ///< [N m], unless something else is said
+  static constexpr int kScales = 2;          ///< number of scales
+  /// Time constants of the averages y, and of the means m that they are compared with [s].
+  static constexpr double kAverage[kScales] = {0.004, 0.025}, kMean[kScales] = {0.15, 1.0};
+
+  /// @param false_alarms  how often `contact` may be true while nothing touches the arm [1/h], > 0
+  /// @param scale         of each joint: size of its noise and errors relative to a Panda's (ArmPrior::residual), > 0
+  ContactMonitor(double false_alarms, const Vector& scale) noexcept
+      : scales_{Scale(false_alarms, scale, 0), Scale(false_alarms, scale, 1)}, scale_(scale) {}
+
+  /// Advances by one tick.
+  /// @param residual  s, external torque minus what is explained, both filtered by the observer, finite
+  /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
+  /// @param dq        joint velocity [rad/s]
+  /// @param dt        time since the last sample [s], > 0
+  /// @param time      of this sample [s]
+  void update(const Vector& residual, const Jacobian<Scalar, Dofs>& jacobian, const Vector& dq, double dt,
+              double time) noexcept;
+
+  /// What the estimator makes of a block of samples.
+  /// @param explained  whether payload and arm explain it: nothing changes or disturbs
+  /// @param begin      when the block began [s]
+  void judge(bool explained, double begin) noexcept {
+    settled_ = explained;
+    explained_ = explained && state_.contact && begin >= state_.last.noticed;
+  }
+  /// The explanation has changed, since the payload is another one or known better. Without a contact the difference
+  /// counts as known better: residual and mean change together.
+  /// @param change  of what is explained
+  void explain(const Vector& change) noexcept {
+    for (Scale& s : scales_) {
+      s.average -= change;
+      if (state_.contact) continue;
+      s.mean -= change;
+      s.usual -= change;
+    }
+  }
+  /// What the errors of the payload's parameters add to the variance on each scale [(N m)^2].
+  void expect(const Vector (&variance)[kScales]) noexcept {
+    for (int i = 0; i < kScales; ++i) scales_[i].known = variance[i];
+  }
+  /// The next sample has no predecessor; what was learned stays.
+  void interrupt() noexcept { started_ = false; }
+  /// The torque changes at once for a reason that the host has given. A contact that goes on is over.
+  void reopen() noexcept {
+    started_ = false;
+    finish(state_.last.noticed);
+    state_.ready = false;
+    watched_ = 0;
+  }
+  /// What the last contact turned out to be. One that was the arm's own error raises the threshold.
+  void decide(ContactCause cause) noexcept {
+    state_.last.cause = cause;
+    if (cause != ContactCause::Arm) return;
+    for (Scale& s : scales_) s.threshold.learn(static_cast<double>(s.threshold.threshold()));
+  }
+  /// Whether the last contact ended since its mean followed, not since the residual came back.
+  bool followed() const noexcept { return followed_; }
+
+  const ContactState<Scalar, Dofs>& state() const noexcept { return state_; }  ///< what the host reads
+
+ private:
+  static constexpr double kWarmUp = 1;     // time before the first contact can be noticed [s]
+  static constexpr double kLearn = 0.02;   // time between two samples that variances are learned from [s]
+  static constexpr int kMemory = 1000;     // such samples that are remembered: 20 s
+  static constexpr double kFollow = 0.2;   // time constant of a mean that follows what the estimator explains [s]
+  static constexpr double kRevert = 1;     // time constant with which a mean that is kept becomes uncertain [s]
+  static constexpr double kUsual = 30;     // memory of what is usual in the long run [s]
+  static constexpr double kQuiet = 0.02;   // how long the statistic has to be usual at the end of a contact [s]
+  static constexpr double kChange = 0.1;   // memory of dq, whose difference from it is the change of speed [s]
+  static constexpr double kStill = 0.02;   // speed of a joint below which it turns over [rad/s]
+  static constexpr double kTurned = 0.1;   // how long after that friction still settles [s]
+  static constexpr double kLargest = 9;    // bound of a squared error in multiples of its variance
+  static constexpr double kRefresh = 0.01; // time between two wrenches while nothing touches the arm [s]
+  static constexpr double kForce = 100, kMoment = 20;  // prior standard deviations of the wrench [N], [N m]
+  static constexpr double kReach = 0.1;    // of a contact from the middle of its link, each axis [m]
+  // Standard deviations before anything was seen, for a joint of scale 1: noise [N m], errors in motion [N m s/rad],
+  // errors of friction that turns over [N m].
+  static constexpr double kNoise = 0.05, kMotion = 0.1, kFriction = 0.05;
+  static constexpr int kParts = 4;         // of a variance: noise, speed, change of speed, turn-over
+
+  struct Scale {
+    Scale(double false_alarms, const Vector& scale, int index) noexcept
+        : threshold(std::min(0.5, false_alarms * ExtremeThreshold<Scalar, Dofs>::kWindow / 3600 / kScales)),
+          smooth(static_cast<Scalar>(kAverage[index])),
+          slow(static_cast<Scalar>(kMean[index])) {
+      const double first[kParts] = {kNoise, kMotion, kMotion, kFriction};
+      for (int p = 0; p < kParts; ++p)
+        part[p] = detail::scaled(static_cast<Scalar>(first[p] * first[p]), Vector(scale.cwiseProduct(scale)));
+    }
+    ExtremeThreshold<Scalar, Dofs> threshold;
+    Scalar smooth, slow;                                           // time constants of y and m [s]
+    Vector average = Vector::Zero(), mean = Vector::Zero();        // y, m
+    Vector usual = Vector::Zero(), spread = Vector::Zero();        // of y in the long run: mean and variance
+    Vector part[kParts];                                           // parts of the variance per unit of what causes them
+    Vector known = Vector::Zero();                                 // errors of the payload [(N m)^2]
+    Vector variance = Vector::Ones();                              // v
+    Scalar statistic = Scalar(0), largest = Scalar(0);             // d, and its maximum in this window
+  };
+
+  static Scalar blend(double dt, Scalar time) noexcept {  // of a first-order filter, without a call of exp
+    const auto h = static_cast<Scalar>(dt);
+    return h / (h + time);
+  }
+  void begin(double time) noexcept;
+  void finish(double time) noexcept;
+  void learn(Scale& scale) noexcept;
+  void find_wrench() noexcept;
+  void weigh_link() noexcept;
+
+  Scale scales_[kScales];
+  Vector scale_;
+  ContactState<Scalar, Dofs> state_;
+  bool started_ = false;
+  Vector cause_[kParts];                    // what the parts of the variance are multiplied by
+  Vector slow_dq_ = Vector::Zero();         // dq, averaged over kChange
+  Vector turned_ = Vector::Zero();          // 1 while a joint turns over, then fading
+  Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();
+  double watched_ = 0;                      // time that was watched since construction or reopen() [s]
+  double since_learned_ = 0, since_wrench_ = 0, window_ = 0, quiet_ = 0, age_ = 0;  // [s]
+  double usual_at_ = 0;                     // when the fast statistic was usual last [s]
+  int learned_ = 0;                         // samples that variances were learned from
+  bool clean_ = true;                       // nothing has happened in this window
+  bool settled_ = true, explained_ = false, followed_ = false;
+  int next_link_ = 0;
+  Vector log_evidence_ = Vector::Zero();    // of each link
+};
+
+template <typename Scalar, int Dofs>
+void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian<Scalar, Dofs>& jacobian,
+                                          const Vector& dq, double dt, double time) noexcept {
+  jacobian_ = jacobian;
+  if (!started_) {
+    started_ = true;
+    const bool first = watched_ == 0;
+    slow_dq_ = dq;
+    for (Scale& s : scales_) {
+      s.average = residual;
+      if (first) s.mean = s.usual = residual;
+    }
+  }
+  watched_ += dt;
+  const bool contact = state_.contact, learns = !contact || explained_;
+  age_ = contact ? age_ + dt : 0;
+  const Scalar still = Scalar(1 / (kStill * kStill));
+  const Scalar fade = blend(dt, Scalar(kTurned));
+  Scalar speed = Scalar(0), change = Scalar(0);
+  detail::add_scaled(slow_dq_, blend(dt, Scalar(kChange)), detail::difference(dq, slow_dq_));
+  for (int j = 0; j < Dofs; ++j) {
+    const Scalar away = dq[j] - slow_dq_[j], square = dq[j] * dq[j];
+    speed += square;
+    change += away * away;
+    // A joint that has moved and now hardly moves turns over, or stops. Both show in dq and in its average.
+    const Scalar moved = slow_dq_[j] * slow_dq_[j] + away * away;
+    const Scalar turns = moved / (moved + Scalar(kStill * kStill)) / (Scalar(1) + square * still);
+    turned_[j] = std::max(turned_[j] - fade * turned_[j], turns);
+  }
+  cause_[0].setOnes();
+  cause_[1].setConstant(speed);
+  cause_[2].setConstant(change);
+  cause_[3] = turned_;
+  Scalar largest = Scalar(0);
+  const Scalar doubt = Scalar(1) + Scalar(10) / static_cast<Scalar>(learned_ + 1);
+  const Scalar grown = contact ? std::min(Scalar(1), static_cast<Scalar>(2 * age_ / kRevert)) : Scalar(0);
+  for (Scale& s : scales_) {
+    detail::add_scaled(s.average, blend(dt, s.smooth), detail::difference(residual, s.average));
+    Scalar statistic = Scalar(0);
+    for (int j = 0; j < Dofs; ++j) {
+      Scalar v = s.part[0][j];
+      for (int p = 1; p < kParts; ++p) v += s.part[p][j] * cause_[p][j];
+      v = doubt * v + s.known[j] + grown * s.spread[j];
+      s.variance[j] = v;
+      const Scalar e = s.average[j] - s.mean[j];
+      statistic += e * e / v;
+    }
+    s.statistic = statistic;
+    largest = std::max(largest, statistic / s.threshold.threshold());
+    if (learns)
+      detail::add_scaled(s.mean, blend(dt, contact ? Scalar(kFollow) : s.slow), detail::difference(s.average, s.mean));
+    s.largest = std::max(s.largest, statistic);
+  }
+  state_.statistic = largest;
+  if (scales_[0].statistic <= scales_[0].threshold.usual()) usual_at_ = time;
+  if (!state_.ready && watched_ >= kWarmUp - 1e-9) {
+    state_.ready = true;
+    clean_ = false;
+  }
+  if (state_.ready && !contact && largest > Scalar(1)) begin(time);
+  if (state_.contact) {
+    bool usual = true;
+    for (const Scale& s : scales_) usual &= s.statistic <= s.threshold.usual();
+    quiet_ = usual ? quiet_ + dt : 0;
+    if (quiet_ >= kQuiet - 1e-9) finish(time);
+  }
+  clean_ &= !state_.contact && settled_;
+
+  since_learned_ += dt;
+  if (since_learned_ >= kLearn - 1e-9) {
+    since_learned_ = 0;
+    if ((!state_.contact && settled_) || explained_) {
+      learned_ = std::min(learned_ + 1, kMemory);
+      for (Scale& s : scales_) learn(s);
+    }
+  }
+  window_ += dt;
+  if (window_ >= ExtremeThreshold<Scalar, Dofs>::kWindow - 1e-9) {
+    for (Scale& s : scales_) {
+      if (clean_) s.threshold.learn(static_cast<double>(s.largest));
+      s.largest = Scalar(0);
+    }
+    window_ = 0;
+    clean_ = state_.ready && !state_.contact && settled_;
+  }
+
+  const Scale& fast = scales_[0];
+  state_.residual = detail::difference(fast.average, fast.mean);
+  state_.variance = fast.variance;
+  since_wrench_ += dt;
+  if (state_.contact || since_wrench_ >= kRefresh - 1e-9) {
+    since_wrench_ = 0;
+    for (int j = 0; j < Dofs; ++j) {
+      Scalar least = fast.variance[j] * fast.threshold.threshold();
+      least = std::min(least, scales_[1].variance[j] * scales_[1].threshold.threshold());
+      state_.threshold[j] = std::sqrt(least);
+    }
+    find_wrench();
+    if (state_.contact) {
+      weigh_link();
+      state_.last.peak_torque = std::max(state_.last.peak_torque, std::sqrt(detail::dot(state_.residual, state_.residual)));
+      state_.last.peak_force = std::max(state_.last.peak_force, state_.wrench.force.norm());
+    }
+  }
+}
+
+template <typename Scalar, int Dofs>
+void ContactMonitor<Scalar, Dofs>::begin(double time) noexcept {
+  state_.contact = true;
+  state_.last = ContactEvent<Scalar>{state_.last.number + 1, ContactCause::Undecided, usual_at_, time};
+  quiet_ = age_ = 0;
+  explained_ = followed_ = false;
+  next_link_ = 0;
+  // Before the first comparison all links are as probable.
+  log_evidence_.setZero();
+  state_.link.setConstant(Scalar(1) / Scalar(Dofs));
+  for (int j = 0; j < Dofs; ++j) weigh_link();
+}
+
+template <typename Scalar, int Dofs>
+void ContactMonitor<Scalar, Dofs>::finish(double time) noexcept {
+  if (!state_.contact) return;
+  state_.contact = false;
+  state_.last.over = time;
+  state_.link.setZero();
+  followed_ = explained_;
+  explained_ = false;
+}
+
+/// Updates the parts of the variance of one scale: each has the share of the error that it has of the variance (T62).
+template <typename Scalar, int Dofs>
+void ContactMonitor<Scalar, Dofs>::learn(Scale& s) noexcept {
+  const Scalar rate = Scalar(1) / static_cast<Scalar>(std::min(learned_ + 10, kMemory));
+  const Scalar long_run = Scalar(std::max(kLearn / kUsual, 1.0 / (learned_ + 1)));
+  for (int j = 0; j < Dofs; ++j) {
+    const Scalar v = s.variance[j], e = s.average[j] - s.mean[j];
+    const Scalar excess = std::min(e * e / v, Scalar(kLargest)) - Scalar(1);
+    for (int p = 0; p < kParts; ++p) {
+      const Scalar share = s.part[p][j] * cause_[p][j] / v;
+      s.part[p][j] *= Scalar(1) + rate * 2 * share * excess;
+      // The floor keeps a part alive that was not needed so far.
+      s.part[p][j] = std::max(s.part[p][j], Scalar(1e-8) * scale_[j] * scale_[j]);
+    }
+    const Scalar away = s.average[j] - s.usual[j];
+    s.usual[j] += long_run * away;
+    s.spread[j] += long_run * (away * away - s.spread[j]);
+  }
+}
+
+/// w = P J V^-1 s,   P = (W^-1 + J V^-1 J^T)^-1 (T65).
+template <typename Scalar, int Dofs>
+void ContactMonitor<Scalar, Dofs>::find_wrench() noexcept {
+  Matrix6<Scalar> information = Matrix6<Scalar>::Zero();
+  for (int i = 0; i < 6; ++i) {
+    const double size = i < 3 ? kForce : kMoment;
+    information(i, i) = Scalar(1 / (size * size));
+  }
+  Vector6<Scalar> sum = Vector6<Scalar>::Zero();
+  for (int j = 0; j < Dofs; ++j) {
+    const Scalar precision = Scalar(1) / state_.variance[j];
+    const Vector6<Scalar> row = detail::column(jacobian_, j);
+    detail::add_outer(information, detail::scaled(precision, row), row);
+    detail::add_scaled(sum, precision * state_.residual[j], row);
+  }
+  const Cholesky<Scalar, 6> factor(information);
+  if (!factor.positive_definite()) return;
+  state_.wrench_covariance = factor.inverse();
+  state_.wrench = Wrench<Scalar>::from_vector(detail::product(state_.wrench_covariance, sum));
+}
+
+/// Computes the evidence of one link per call, and the probabilities of all (T66).
+template <typename Scalar, int Dofs>
+void ContactMonitor<Scalar, Dofs>::weigh_link() noexcept {
+  const int k = next_link_;
+  next_link_ = k + 1 == Dofs ? 0 : k + 1;
+  const Jacobian<Scalar, Dofs>& J = jacobian_;
+  // The foot of the perpendicular from the end-effector origin to a joint's axis, as seen from the origin: a point of
+  // the axis. A link lies between its own axis and the next one; the last one reaches to the end-effector origin.
+  const auto foot = [&J](int j) {
+    const Vector3<Scalar> v(J(0, j), J(1, j), J(2, j)), z(J(3, j), J(4, j), J(5, j));
+    return Vector3<Scalar>(z.cross(v));
+  };
+  Vector3<Scalar> middle = Vector3<Scalar>::Zero();
+  if (k + 1 < Dofs) middle = Scalar(0.5) * (foot(k) + foot(k + 1));
+  // The size of the force: one that makes a torque as large as the residual over the arm's mean lever.
+  Scalar lever = Scalar(1e-6);
+  for (int j = 0; j < Dofs; ++j)
+    for (int i = 0; i < 3; ++i) lever += J(i, j) * J(i, j);
+  const Scalar force = detail::dot(state_.residual, state_.residual) * Scalar(3) / lever;
+  const Scalar reach = Scalar(kReach * kReach);
+  Eigen::Matrix<Scalar, Dofs, Dofs> S = Eigen::Matrix<Scalar, Dofs, Dofs>::Zero();
+  Vector effect[6];
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int j = 0; j < Dofs; ++j) {
+      const Vector3<Scalar> v(J(0, j), J(1, j), J(2, j)), z(J(3, j), J(4, j), J(5, j));
+      const Vector3<Scalar> velocity = v + z.cross(middle);  // of the link's middle, per unit of dq_j
+      effect[axis][j] = j <= k ? velocity[axis] : Scalar(0);
+      effect[3 + axis][j] = j <= k ? z[axis] : Scalar(0);
+    }
+    detail::add_outer(S, detail::scaled(force, effect[axis]), effect[axis]);
+    detail::add_outer(S, detail::scaled(force * reach, effect[3 + axis]), effect[3 + axis]);
+  }
+  for (int j = 0; j < Dofs; ++j) S(j, j) += state_.variance[j];
+  const Cholesky<Scalar, Dofs> factor(S);
+  if (!factor.positive_definite()) return;
+  const Vector white = factor.solve_lower(state_.residual);
+  log_evidence_[k] = Scalar(-0.5) * detail::dot(white, white) - factor.log_det_lower();
+  if (k + 1 < Dofs) return;
+  Scalar best = log_evidence_[0], sum = Scalar(0);
+  for (int j = 1; j < Dofs; ++j) best = std::max(best, log_evidence_[j]);
+  for (int j = 0; j < Dofs; ++j) {
+    state_.link[j] = std::exp(log_evidence_[j] - best);
+    sum += state_.link[j];
+  }
+  state_.link /= sum;
+}
+
+}  // namespace rme
