@@ -9,6 +9,7 @@
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
 #include <rme/sensing/contact_state.hpp>
+#include <rme/sensing/friction_regression.hpp>
 
 namespace rme {
 
@@ -90,8 +91,9 @@ class ContactMonitor {
 
   /// @param false_alarms  how often `contact` may be true while nothing touches the arm [1/h], > 0
   /// @param scale         of each joint: size of its noise and errors relative to a Panda's (ArmPrior::residual), > 0
-  ContactMonitor(double false_alarms, const Vector& scale) noexcept
-      : scales_{Scale(false_alarms, scale, 0), Scale(false_alarms, scale, 1)}, scale_(scale) {}
+  /// @param lag           time constant of the observer that the residual comes from [s], >= 0
+  ContactMonitor(double false_alarms, const Vector& scale, double lag) noexcept
+      : scales_{Scale(false_alarms, scale, 0), Scale(false_alarms, scale, 1)}, scale_(scale), friction_(lag, scale) {}
 
   /// Advances by one tick.
   /// @param residual  s, external torque minus what is explained, both filtered by the observer, finite
@@ -148,6 +150,7 @@ class ContactMonitor {
   static constexpr double kWarmUp = 1;     // time before the first contact can be noticed [s]
   static constexpr double kLearn = 0.02;   // time between two samples that variances are learned from [s]
   static constexpr int kMemory = 1000;     // such samples that are remembered: 20 s
+  static constexpr double kFirst = 10;     // samples that the variance counts as before anything was seen
   static constexpr double kFollow = 0.2;   // time constant of a mean that follows what the estimator explains [s]
   static constexpr double kRevert = 1;     // time constant with which a mean that is kept becomes uncertain [s]
   static constexpr double kUsual = 30;     // memory of what is usual in the long run [s]
@@ -158,7 +161,8 @@ class ContactMonitor {
   static constexpr double kLargest = 9;    // bound of a squared error in multiples of its variance
   static constexpr double kRefresh = 0.01; // time between two wrenches while nothing touches the arm [s]
   static constexpr double kForce = 100, kMoment = 20;  // prior standard deviations of the wrench [N], [N m]
-  static constexpr double kReach = 0.1;    // of a contact from the middle of its link, each axis [m]
+  // Standard deviation of a contact's distance from the middle of its link, along each axis [m]; of two kinds of contacts.
+  static constexpr double kReach[2] = {0.01, 0.1};
   // Standard deviations before anything was seen, for a joint of scale 1: noise [N m], errors in motion [N m s/rad],
   // errors of friction that turns over [N m].
   static constexpr double kNoise = 0.05, kMotion = 0.1, kFriction = 0.05;
@@ -170,14 +174,17 @@ class ContactMonitor {
           smooth(static_cast<Scalar>(kAverage[index])),
           slow(static_cast<Scalar>(kMean[index])) {
       const double first[kParts] = {kNoise, kMotion, kMotion, kFriction};
-      for (int p = 0; p < kParts; ++p)
+      for (int p = 0; p < kParts; ++p) {
+        seen[p].setZero();
         part[p] = detail::scaled(static_cast<Scalar>(first[p] * first[p]), Vector(scale.cwiseProduct(scale)));
+      }
     }
     ExtremeThreshold<Scalar, Dofs> threshold;
     Scalar smooth, slow;                                           // time constants of y and m [s]
     Vector average = Vector::Zero(), mean = Vector::Zero();        // y, m
     Vector usual = Vector::Zero(), spread = Vector::Zero();        // of y in the long run: mean and variance
     Vector part[kParts];                                           // parts of the variance per unit of what causes them
+    Vector seen[kParts];                                           // samples that each was learned from
     Vector known = Vector::Zero();                                 // errors of the payload [(N m)^2]
     Vector variance = Vector::Ones();                              // v
     Scalar statistic = Scalar(0), largest = Scalar(0);             // d, and its maximum in this window
@@ -195,6 +202,7 @@ class ContactMonitor {
 
   Scale scales_[kScales];
   Vector scale_;
+  FrictionRegression<Scalar, Dofs> friction_;
   ContactState<Scalar, Dofs> state_;
   bool started_ = false;
   Vector cause_[kParts];                    // what the parts of the variance are multiplied by
@@ -215,13 +223,15 @@ template <typename Scalar, int Dofs>
 void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian<Scalar, Dofs>& jacobian,
                                           const Vector& dq, double dt, double time) noexcept {
   jacobian_ = jacobian;
+  friction_.update(dq, static_cast<Scalar>(dt));
+  const Vector friction = friction_.torque(), unexplained = detail::difference(residual, friction);
   if (!started_) {
     started_ = true;
     const bool first = watched_ == 0;
     slow_dq_ = dq;
     for (Scale& s : scales_) {
-      s.average = residual;
-      if (first) s.mean = s.usual = residual;
+      s.average = unexplained;
+      if (first) s.mean = s.usual = unexplained;
     }
   }
   watched_ += dt;
@@ -248,7 +258,7 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
   const Scalar doubt = Scalar(1) + Scalar(10) / static_cast<Scalar>(learned_ + 1);
   const Scalar grown = contact ? std::min(Scalar(1), static_cast<Scalar>(2 * age_ / kRevert)) : Scalar(0);
   for (Scale& s : scales_) {
-    detail::add_scaled(s.average, blend(dt, s.smooth), detail::difference(residual, s.average));
+    detail::add_scaled(s.average, blend(dt, s.smooth), detail::difference(unexplained, s.average));
     Scalar statistic = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
       Scalar v = s.part[0][j];
@@ -285,6 +295,10 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
     if ((!state_.contact && settled_) || explained_) {
       learned_ = std::min(learned_ + 1, kMemory);
       for (Scale& s : scales_) learn(s);
+      if (!state_.contact) {
+        friction_.learn(residual);
+        explain(detail::difference(friction_.torque(), friction));
+      }
     }
   }
   window_ += dt;
@@ -343,14 +357,14 @@ void ContactMonitor<Scalar, Dofs>::finish(double time) noexcept {
 /// Updates the parts of the variance of one scale: each has the share of the error that it has of the variance (T62).
 template <typename Scalar, int Dofs>
 void ContactMonitor<Scalar, Dofs>::learn(Scale& s) noexcept {
-  const Scalar rate = Scalar(1) / static_cast<Scalar>(std::min(learned_ + 10, kMemory));
   const Scalar long_run = Scalar(std::max(kLearn / kUsual, 1.0 / (learned_ + 1)));
   for (int j = 0; j < Dofs; ++j) {
     const Scalar v = s.variance[j], e = s.average[j] - s.mean[j];
     const Scalar excess = std::min(e * e / v, Scalar(kLargest)) - Scalar(1);
     for (int p = 0; p < kParts; ++p) {
       const Scalar share = s.part[p][j] * cause_[p][j] / v;
-      s.part[p][j] *= Scalar(1) + rate * 2 * share * excess;
+      s.seen[p][j] = std::min(s.seen[p][j] + share, Scalar(kMemory));
+      s.part[p][j] *= Scalar(1) + 2 * share * excess / (s.seen[p][j] + Scalar(kFirst));
       // The floor keeps a part alive that was not needed so far.
       s.part[p][j] = std::max(s.part[p][j], Scalar(1e-8) * scale_[j] * scale_[j]);
     }
@@ -400,24 +414,32 @@ void ContactMonitor<Scalar, Dofs>::weigh_link() noexcept {
   for (int j = 0; j < Dofs; ++j)
     for (int i = 0; i < 3; ++i) lever += J(i, j) * J(i, j);
   const Scalar force = detail::dot(state_.residual, state_.residual) * Scalar(3) / lever;
-  const Scalar reach = Scalar(kReach * kReach);
-  Eigen::Matrix<Scalar, Dofs, Dofs> S = Eigen::Matrix<Scalar, Dofs, Dofs>::Zero();
-  Vector effect[6];
+  Eigen::Matrix<Scalar, Dofs, Dofs> S = Eigen::Matrix<Scalar, Dofs, Dofs>::Zero(), turn = S;
   for (int axis = 0; axis < 3; ++axis) {
+    Vector push, twist;
     for (int j = 0; j < Dofs; ++j) {
       const Vector3<Scalar> v(J(0, j), J(1, j), J(2, j)), z(J(3, j), J(4, j), J(5, j));
       const Vector3<Scalar> velocity = v + z.cross(middle);  // of the link's middle, per unit of dq_j
-      effect[axis][j] = j <= k ? velocity[axis] : Scalar(0);
-      effect[3 + axis][j] = j <= k ? z[axis] : Scalar(0);
+      push[j] = j <= k ? velocity[axis] : Scalar(0);
+      twist[j] = j <= k ? z[axis] : Scalar(0);
     }
-    detail::add_outer(S, detail::scaled(force, effect[axis]), effect[axis]);
-    detail::add_outer(S, detail::scaled(force * reach, effect[3 + axis]), effect[3 + axis]);
+    detail::add_outer(S, detail::scaled(force, push), push);
+    detail::add_outer(turn, detail::scaled(force, twist), twist);
   }
   for (int j = 0; j < Dofs; ++j) S(j, j) += state_.variance[j];
-  const Cholesky<Scalar, Dofs> factor(S);
-  if (!factor.positive_definite()) return;
-  const Vector white = factor.solve_lower(state_.residual);
-  log_evidence_[k] = Scalar(-0.5) * detail::dot(white, white) - factor.log_det_lower();
+  // Near the middle or anywhere on the link: the mean of both.
+  Scalar evidence[2];
+  for (int i = 0; i < 2; ++i) {
+    detail::add_scaled(S, Scalar(kReach[i] * kReach[i]), turn);
+    const Cholesky<Scalar, Dofs> factor(S);
+    if (!factor.positive_definite()) return;
+    const Vector white = factor.solve_lower(state_.residual);
+    evidence[i] = Scalar(-0.5) * detail::dot(white, white) - factor.log_det_lower();
+  }
+  log_evidence_[k] = std::max(evidence[0], evidence[1]);
+  log_evidence_[k] += std::log1p(std::exp(std::min(evidence[0], evidence[1]) - log_evidence_[k]));
+  // Hand and payload are touched as often as all other links together.
+  if (k + 1 == Dofs) log_evidence_[k] += static_cast<Scalar>(std::log(std::max(1, Dofs - 1)));
   if (k + 1 < Dofs) return;
   Scalar best = log_evidence_[0], sum = Scalar(0);
   for (int j = 1; j < Dofs; ++j) best = std::max(best, log_evidence_[j]);

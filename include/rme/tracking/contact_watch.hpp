@@ -35,7 +35,7 @@ class ContactWatch {
   /// @param dt            nominal control period [s], > 0
   ContactWatch(double false_alarms, const Vector& scale, double bandwidth, const Vector3<Scalar>& gravity,
                double dt) noexcept
-      : explained_(bandwidth, Averager::kObserverPeriod, gravity), monitor_(false_alarms, scale) {
+      : explained_(bandwidth, Averager::kObserverPeriod, gravity), monitor_(false_alarms, scale, bandwidth > 0 ? 1 / bandwidth : 0) {
     for (int i = 0; i < Monitor::kScales; ++i) {
       // White noise of a velocity, differentiated and averaged: over a time constant T alone its variance is that of the
       // velocity over T^2; the observer's filter comes first, and T averages over 2 T / dt of its values.
