@@ -109,7 +109,8 @@ class ContactMonitor {
   /// @param begin      when the block began [s]
   void judge(bool explained, double begin) noexcept {
     settled_ = explained;
-    explained_ = explained && state_.contact && begin >= state_.last.noticed;
+    if (!explained || !state_.contact || begin < state_.last.noticed) explained_since_ = begin;
+    explained_ = explained && state_.contact && begin - explained_since_ >= kPatience;
   }
   /// The explanation has changed, since the payload is another one or known better. Without a contact the difference
   /// counts as known better: residual and mean change together.
@@ -151,6 +152,7 @@ class ContactMonitor {
   static constexpr double kLearn = 0.02;   // time between two samples that variances are learned from [s]
   static constexpr int kMemory = 1000;     // such samples that are remembered: 20 s
   static constexpr double kFirst = 10;     // samples that the variance counts as before anything was seen
+  static constexpr double kPatience = 0.1; // how long the estimator has to explain a contact before a mean follows [s]
   static constexpr double kFollow = 0.2;   // time constant of a mean that follows what the estimator explains [s]
   static constexpr double kRevert = 1;     // time constant with which a mean that is kept becomes uncertain [s]
   static constexpr double kUsual = 30;     // memory of what is usual in the long run [s]
@@ -186,6 +188,7 @@ class ContactMonitor {
     Vector part[kParts];                                           // parts of the variance per unit of what causes them
     Vector seen[kParts];                                           // samples that each was learned from
     Vector known = Vector::Zero();                                 // errors of the payload [(N m)^2]
+    Vector loose = Vector::Zero();                                 // the part of v that is an error of the mean
     Vector variance = Vector::Ones();                              // v
     Scalar statistic = Scalar(0), largest = Scalar(0);             // d, and its maximum in this window
   };
@@ -215,6 +218,7 @@ class ContactMonitor {
   int learned_ = 0;                         // samples that variances were learned from
   bool clean_ = true;                       // nothing has happened in this window
   bool settled_ = true, explained_ = false, followed_ = false;
+  double explained_since_ = 0;              // [s]
   int next_link_ = 0;
   Vector log_evidence_ = Vector::Zero();    // of each link
 };
@@ -263,7 +267,8 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
     for (int j = 0; j < Dofs; ++j) {
       Scalar v = s.part[0][j];
       for (int p = 1; p < kParts; ++p) v += s.part[p][j] * cause_[p][j];
-      v = doubt * v + s.known[j] + grown * s.spread[j];
+      s.loose[j] = s.known[j] + grown * s.spread[j];
+      v = doubt * v + s.loose[j];
       s.variance[j] = v;
       const Scalar e = s.average[j] - s.mean[j];
       statistic += e * e / v;
@@ -352,6 +357,9 @@ void ContactMonitor<Scalar, Dofs>::finish(double time) noexcept {
   state_.link.setZero();
   followed_ = explained_;
   explained_ = false;
+  // The residual is usual again: as far as the mean was not known, it is what the residual shows.
+  for (Scale& s : scales_)
+    for (int j = 0; j < Dofs; ++j) s.mean[j] += s.loose[j] / s.variance[j] * (s.average[j] - s.mean[j]);
 }
 
 /// Updates the parts of the variance of one scale: each has the share of the error that it has of the variance (T62).

@@ -65,7 +65,7 @@ class ContactWatch {
     const bool settled = p[Mode::Empty] + p[Mode::Held] + p[Mode::Pouring] > Scalar(kSettled);
     if (settled) explain(belief);
     monitor_.judge(settled, block.end - static_cast<double>(block.duration));
-    expect(block, belief);
+    expect(block, belief, settled && monitor_.state().contact);
     decide(events, p[Mode::Disturbed] > Scalar(0.5), block.end);
   }
   /// The host says something of the payload, and the tracker believes it: tau_ext may change at once.
@@ -95,7 +95,8 @@ class ContactWatch {
   }
 
   /// What the errors of the payload's parameters add to the variance of the residual, (T62).
-  void expect(const TorqueBlock<Scalar, Dofs>& block, const TrackerBelief<Scalar>& belief) noexcept {
+  /// @param fresh  the payload may be another one since this block: no mean has taken in any of its errors
+  void expect(const TorqueBlock<Scalar, Dofs>& block, const TrackerBelief<Scalar>& belief, bool fresh) noexcept {
     Vector known[Monitor::kScales];
     const Scalar held = Scalar(1) - belief.empty;
     Vector noise;  // of the acceleration, made by a mass at the flange: twice, since the arm's own errs the same way
@@ -112,6 +113,7 @@ class ContactWatch {
       known[i] = detail::scaled(noise_gain_[i], noise);
       // The mean has taken in the error that is the same all the time: what counts is how the regressor has changed.
       if (regressors_ == 0) regressor_[i] = block.regressor;
+      if (fresh) regressor_[i].setZero();
       const Regressor change = detail::difference(block.regressor, regressor_[i]);
       const auto time = static_cast<Scalar>(Monitor::kMean[i]);
       detail::add_scaled(regressor_[i], block.duration / (block.duration + time), change);
