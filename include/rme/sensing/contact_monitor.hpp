@@ -112,10 +112,9 @@ class ContactMonitor {
     if (!explained || !state_.contact || begin < state_.last.noticed) explained_since_ = begin;
     explained_ = explained && state_.contact && begin - explained_since_ >= kPatience;
   }
-  /// The explanation has changed, since the payload is another one or known better. Without a contact the difference
-  /// counts as known better: residual and mean change together.
+  /// The same payload is known better: residual and mean change together, unless there is a contact.
   /// @param change  of what is explained
-  void explain(const Vector& change) noexcept {
+  void refine(const Vector& change) noexcept {
     for (Scale& s : scales_) {
       s.average -= change;
       if (state_.contact) continue;
@@ -123,9 +122,21 @@ class ContactMonitor {
       s.usual -= change;
     }
   }
-  /// What the errors of the payload's parameters add to the variance on each scale [(N m)^2].
-  void expect(const Vector (&variance)[kScales]) noexcept {
-    for (int i = 0; i < kScales; ++i) scales_[i].known = variance[i];
+  /// The payload is another one: the residual changes. Without a contact, the mean becomes what the residual shows, as
+  /// far as the payload's errors leave it open.
+  /// @param change  of what is explained
+  void replace(const Vector& change) noexcept {
+    for (Scale& s : scales_) s.average -= change;
+    if (!state_.contact) take_over();
+  }
+  /// What is known of the errors of the explanation.
+  /// @param variance  what errors of the payload's parameters add to the variance on each scale [(N m)^2]
+  /// @param noise     the same for the noise of its acceleration. The arm's own noise comes from the same velocities, so
+  ///                  that the two add up before they are squared
+  void expect(const Vector (&variance)[kScales], const Vector (&noise)[kScales]) noexcept {
+    for (int i = 0; i < kScales; ++i)
+      for (int j = 0; j < Dofs; ++j)
+        scales_[i].known[j] = variance[i][j] + noise[i][j] + 2 * std::sqrt(noise[i][j] * scales_[i].part[0][j]);
   }
   /// The next sample has no predecessor; what was learned stays.
   void interrupt() noexcept { started_ = false; }
@@ -197,6 +208,15 @@ class ContactMonitor {
     const auto h = static_cast<Scalar>(dt);
     return h / (h + time);
   }
+  /// As far as the mean is not known, it is what the residual shows.
+  void take_over() noexcept {
+    for (Scale& s : scales_) {
+      for (int j = 0; j < Dofs; ++j) {
+        const Scalar loose = std::max(s.loose[j], s.known[j]);
+        s.mean[j] += loose / std::max(s.variance[j], loose) * (s.average[j] - s.mean[j]);
+      }
+    }
+  }
   void begin(double time) noexcept;
   void finish(double time) noexcept;
   void learn(Scale& scale) noexcept;
@@ -241,19 +261,19 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
   watched_ += dt;
   const bool contact = state_.contact, learns = !contact || explained_;
   age_ = contact ? age_ + dt : 0;
-  const Scalar still = Scalar(1 / (kStill * kStill));
-  const Scalar fade = blend(dt, Scalar(kTurned));
-  Scalar speed = Scalar(0), change = Scalar(0);
+  Scalar speed = Scalar(0), change = Scalar(0), moved = Scalar(0);
   detail::add_scaled(slow_dq_, blend(dt, Scalar(kChange)), detail::difference(dq, slow_dq_));
   for (int j = 0; j < Dofs; ++j) {
-    const Scalar away = dq[j] - slow_dq_[j], square = dq[j] * dq[j];
-    speed += square;
+    const Scalar away = dq[j] - slow_dq_[j];
+    speed += dq[j] * dq[j];
     change += away * away;
-    // A joint that has moved and now hardly moves turns over, or stops. Both show in dq and in its average.
-    const Scalar moved = slow_dq_[j] * slow_dq_[j] + away * away;
-    const Scalar turns = moved / (moved + Scalar(kStill * kStill)) / (Scalar(1) + square * still);
-    turned_[j] = std::max(turned_[j] - fade * turned_[j], turns);
+    moved += slow_dq_[j] * slow_dq_[j];
   }
+  // A joint that hardly moves while the arm moves, or has just moved, turns over, stops, or is about to break away.
+  const Scalar still = Scalar(kStill * kStill), fade = Scalar(1) - blend(dt, Scalar(kTurned));
+  const Scalar moves = (moved + change) / (moved + change + Scalar(0.25) * still);
+  for (int j = 0; j < Dofs; ++j)
+    turned_[j] = std::max(fade * turned_[j], moves * still / (still + dq[j] * dq[j]));
   cause_[0].setOnes();
   cause_[1].setConstant(speed);
   cause_[2].setConstant(change);
@@ -302,7 +322,7 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
       for (Scale& s : scales_) learn(s);
       if (!state_.contact) {
         friction_.learn(residual);
-        explain(detail::difference(friction_.torque(), friction));
+        refine(detail::difference(friction_.torque(), friction));
       }
     }
   }
@@ -357,9 +377,7 @@ void ContactMonitor<Scalar, Dofs>::finish(double time) noexcept {
   state_.link.setZero();
   followed_ = explained_;
   explained_ = false;
-  // The residual is usual again: as far as the mean was not known, it is what the residual shows.
-  for (Scale& s : scales_)
-    for (int j = 0; j < Dofs; ++j) s.mean[j] += s.loose[j] / s.variance[j] * (s.average[j] - s.mean[j]);
+  take_over();
 }
 
 /// Updates the parts of the variance of one scale: each has the share of the error that it has of the variance (T62).

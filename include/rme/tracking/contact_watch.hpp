@@ -2,6 +2,7 @@
 /// Watches the torque that neither payload nor arm explains, beside the tracker. In: each sample, and what the tracker makes
 /// of each block. Out: the contact that a host reads (sensing/contact_state.hpp).
 #include <algorithm>
+#include <cmath>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/sensing/contact_monitor.hpp>
@@ -63,14 +64,26 @@ class ContactWatch {
              const EventMonitor<Scalar>& events) noexcept {
     const PerMode<Scalar>& p = belief.probability;
     const bool settled = p[Mode::Empty] + p[Mode::Held] + p[Mode::Pouring] > Scalar(kSettled);
-    if (settled) explain(belief);
+    // Without a change, and unless something is poured, a payload that is estimated anew is the same one.
+    const bool same = settled_ && settled && p[Mode::Pouring] < Scalar(0.5);
+    settled_ = settled;
+    Vector change = Vector::Zero();
+    if (settled) change = explained_.become(body(belief));
+    for (int j = 0; j < Dofs; ++j) {
+      moved_[j] = std::max(Scalar(kMoved) * moved_[j], std::abs(change[j]));
+      changed_ = changed_ || std::abs(change[j]) > monitor_.state().threshold[j];
+    }
     monitor_.judge(settled, block.end - static_cast<double>(block.duration));
-    expect(block, belief, settled && monitor_.state().contact);
+    expect(block, belief, settled && (!same || monitor_.state().contact));
+    if (same)
+      monitor_.refine(change);
+    else
+      monitor_.replace(change);
     decide(events, p[Mode::Disturbed] > Scalar(0.5), block.end);
   }
   /// The host says something of the payload, and the tracker believes it: tau_ext may change at once.
   void told(const TrackerBelief<Scalar>& belief) noexcept {
-    explain(belief);
+    explained_.become(body(belief));
     interrupt();
     monitor_.reopen();
   }
@@ -86,12 +99,17 @@ class ContactWatch {
 
  private:
   static constexpr double kSettled = 0.9;  // probability above which payload and arm explain a block
+  static constexpr double kMoved = 0.8;    // share of the last changes of the explanation that is kept per block
+  // The tracker is behind by half a block, its computation and the next block: nearly two blocks.
+  static constexpr double kBehind = 2;
+  static constexpr double kKeep = 0.999;   // share of a payload's noise that is kept per block after it is gone
   static constexpr double kPatience = 0.5; // how long after a contact an event may still be found that explains it [s]
 
-  void explain(const TrackerBelief<Scalar>& belief) noexcept {
+  /// Payload and tool, phi.
+  static InertialVector<Scalar> body(const TrackerBelief<Scalar>& belief) noexcept {
     InertialVector<Scalar> phi = detail::scaled(Scalar(1) - belief.empty, belief.payload.mean);
     for (int i = 0; i < 4; ++i) phi[i] += belief.tool[i];
-    monitor_.explain(explained_.become(phi));
+    return phi;
   }
 
   /// What the errors of the payload's parameters add to the variance of the residual, (T62).
@@ -99,7 +117,7 @@ class ContactWatch {
   void expect(const TorqueBlock<Scalar, Dofs>& block, const TrackerBelief<Scalar>& belief, bool fresh) noexcept {
     Vector known[Monitor::kScales];
     const Scalar held = Scalar(1) - belief.empty;
-    Vector noise;  // of the acceleration, made by a mass at the flange: twice, since the arm's own errs the same way
+    Vector noise;  // of the acceleration, made by a mass at the flange
     for (int j = 0; j < Dofs; ++j) {
       noise[j] = Scalar(0);
       for (int i = 0; i < Dofs; ++i) {
@@ -107,10 +125,15 @@ class ContactWatch {
         for (int axis = 0; axis < 3; ++axis) coupling += block.jacobian(axis, j) * block.jacobian(axis, i);
         noise[j] += coupling * coupling * block.velocity_noise[i];
       }
-      noise[j] *= 2 * held * belief.payload.mean[0] * belief.payload.mean[0];
+      noise[j] *= held * belief.payload.mean[0] * belief.payload.mean[0];
     }
     for (int i = 0; i < Monitor::kScales; ++i) {
-      known[i] = detail::scaled(noise_gain_[i], noise);
+      for (int j = 0; j < Dofs; ++j) {
+        const Scalar behind = Scalar(kBehind) * moved_[j];
+        known[i][j] = behind * behind;
+      }
+      // Kept for a while: what the arm has shown with a payload is not what it shows without.
+      noise_[i] = detail::scaled(Scalar(kKeep), noise_[i]).cwiseMax(detail::scaled(noise_gain_[i], noise));
       // The mean has taken in the error that is the same all the time: what counts is how the regressor has changed.
       if (regressors_ == 0) regressor_[i] = block.regressor;
       if (fresh) regressor_[i].setZero();
@@ -123,7 +146,7 @@ class ContactWatch {
       }
     }
     regressors_ = 1;
-    monitor_.expect(known);
+    monitor_.expect(known, noise_);
   }
 
   /// Says what the last contact turned out to be, as soon as it is known.
@@ -131,7 +154,7 @@ class ContactWatch {
     const ContactEvent<Scalar>& last = monitor_.state().last;
     if (last.number != number_) {
       number_ = last.number;
-      disturbed_ = false;
+      disturbed_ = changed_ = false;
     }
     if (last.number == 0 || last.cause != ContactCause::Undecided) return;
     disturbed_ = disturbed_ || (disturbed && now > last.noticed);
@@ -142,8 +165,14 @@ class ContactWatch {
       return;
     }
     if (monitor_.state().contact || events.changing() || now < last.over + kPatience) return;
-    // Without an event: what went away by itself was a contact; what stayed until the mean had followed, none.
-    monitor_.decide(monitor_.followed() && !disturbed_ ? ContactCause::Arm : ContactCause::Contact);
+    // Without an event: what the payload has taken up was one; what stayed until the mean had followed, the arm's own
+    // error; and what went away by itself, a contact.
+    ContactCause cause = ContactCause::Contact;
+    if (!disturbed_ && changed_)
+      cause = ContactCause::Payload;
+    else if (!disturbed_ && monitor_.followed())
+      cause = ContactCause::Arm;
+    monitor_.decide(cause);
   }
 
   using Regressor = Eigen::Matrix<Scalar, Dofs, kInertial>;
@@ -151,9 +180,13 @@ class ContactWatch {
   Monitor monitor_;
   Scalar noise_gain_[Monitor::kScales];
   Regressor regressor_[Monitor::kScales];  // slow means of the blocks' regressors
+  Vector noise_[Monitor::kScales] = {Vector::Zero(), Vector::Zero()};  // of the acceleration [(N m)^2]
+  Vector moved_ = Vector::Zero();  // last changes of the explanation [N m]
+  bool settled_ = true;            // payload and arm explained the last block
   int regressors_ = 0;
   int number_ = 0;          // of the contact that disturbed_ belongs to
   bool disturbed_ = false;  // a block was disturbed during the contact
+  bool changed_ = false;    // the payload that explains the torque has changed since the contact began
 };
 
 }  // namespace rme
