@@ -272,8 +272,12 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
   // A joint that hardly moves while the arm moves, or has just moved, turns over, stops, or is about to break away.
   const Scalar still = Scalar(kStill * kStill), fade = Scalar(1) - blend(dt, Scalar(kTurned));
   const Scalar moves = (moved + change) / (moved + change + Scalar(0.25) * still);
-  for (int j = 0; j < Dofs; ++j)
-    turned_[j] = std::max(fade * turned_[j], moves * still / (still + dq[j] * dq[j]));
+  Vector stiction;  // variance of the friction of a joint that rests: anywhere between its Coulomb frictions
+  for (int j = 0; j < Dofs; ++j) {
+    const Scalar rests = still / (still + dq[j] * dq[j]), coulomb = friction_.coulomb()[j];
+    turned_[j] = std::max(fade * turned_[j], moves * rests);
+    stiction[j] = rests * coulomb * coulomb / Scalar(12);
+  }
   cause_[0].setOnes();
   cause_[1].setConstant(speed);
   cause_[2].setConstant(change);
@@ -288,7 +292,7 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
       Scalar v = s.part[0][j];
       for (int p = 1; p < kParts; ++p) v += s.part[p][j] * cause_[p][j];
       s.loose[j] = s.known[j] + grown * s.spread[j];
-      v = doubt * v + s.loose[j];
+      v = doubt * v + stiction[j] + s.loose[j];
       s.variance[j] = v;
       const Scalar e = s.average[j] - s.mean[j];
       statistic += e * e / v;

@@ -39,6 +39,8 @@ class FrictionRegression {
   Vector torque() const noexcept {
     return coulomb_.cwiseProduct(direction_) + viscous_.cwiseProduct(velocity_);
   }
+  /// Coulomb friction of each joint [N m].
+  const Vector& coulomb() const noexcept { return coulomb_; }
   /// Learns from a residual in which nothing but the arm shows.
   /// @param residual  s [N m]
   void learn(const Vector& residual) noexcept {
