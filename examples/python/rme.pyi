@@ -106,6 +106,7 @@ class EstimatorConfig:
         torque_sign: Optional[TorqueSign] = None,
         rated_payload: Optional[float] = None,
         observer_bandwidth: Optional[float] = None,
+        contact_false_alarms: Optional[float] = None,
         sensing: Optional[Sensing] = None,
         arm: Optional[ArmPrior] = None,
         payload: Optional[PayloadPrior] = None,
@@ -126,6 +127,10 @@ class EstimatorConfig:
     def observer_bandwidth(self) -> float: ...
     @observer_bandwidth.setter
     def observer_bandwidth(self, value: float) -> None: ...
+    @property
+    def contact_false_alarms(self) -> float: ...
+    @contact_false_alarms.setter
+    def contact_false_alarms(self, value: float) -> None: ...
     @property
     def sensing(self) -> Optional[Sensing]: ...
     @sensing.setter

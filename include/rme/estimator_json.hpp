@@ -112,10 +112,9 @@ template <typename Scalar, int Dofs>
 EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& object) {
   using Vector = JointVector<Scalar, Dofs>;
   EstimatorConfig<Scalar, Dofs> config;
-  const detail::SettingsReader reader(
-      object, "",
-      {"gravity", "torque_sign", "rated_payload", "observer_bandwidth", "contact_false_alarms", "sensing", "arm",
-       "payload", "model"});
+  const detail::SettingsReader reader(object, "",
+                                      {"gravity", "torque_sign", "rated_payload", "observer_bandwidth",
+                                       "contact_false_alarms", "sensing", "arm", "payload", "model"});
   if (const auto* v = reader.find("gravity")) config.gravity = detail::read_vector<Vector3<Scalar>>(*v, "gravity");
   if (const auto* v = reader.find("torque_sign"))
     config.torque_sign = detail::read_name(*v, "torque_sign", detail::kSigns, detail::kSignNames);

@@ -159,27 +159,31 @@ class ContactMonitor {
   const ContactState<Scalar, Dofs>& state() const noexcept { return state_; }  ///< what the host reads
 
  private:
-  static constexpr double kWarmUp = 1;     // time before the first contact can be noticed [s]
-  static constexpr double kLearn = 0.02;   // time between two samples that variances are learned from [s]
-  static constexpr int kMemory = 1000;     // such samples that are remembered: 20 s
-  static constexpr double kFirst = 10;     // samples that the variance counts as before anything was seen
-  static constexpr double kPatience = 0.1; // how long the estimator has to explain a contact before a mean follows [s]
-  static constexpr double kFollow = 0.2;   // time constant of a mean that follows what the estimator explains [s]
-  static constexpr double kRevert = 1;     // time constant with which a mean that is kept becomes uncertain [s]
-  static constexpr double kUsual = 30;     // memory of what is usual in the long run [s]
-  static constexpr double kQuiet = 0.02;   // how long the statistic has to be usual at the end of a contact [s]
-  static constexpr double kChange = 0.1;   // memory of dq, whose difference from it is the change of speed [s]
-  static constexpr double kStill = 0.02;   // speed of a joint below which it turns over [rad/s]
-  static constexpr double kTurned = 0.1;   // how long after that friction still settles [s]
-  static constexpr double kLargest = 9;    // bound of a squared error in multiples of its variance
-  static constexpr double kRefresh = 0.01; // time between two wrenches while nothing touches the arm [s]
+  static constexpr double kWarmUp = 1;      // time before the first contact can be noticed [s]
+  static constexpr double kLearn = 0.02;    // time between two samples that variances are learned from [s]
+  static constexpr int kMemory = 1000;      // such samples that are remembered: 20 s
+  static constexpr double kFirst = 10;      // samples that the variance counts as before anything was seen
+  static constexpr double kPatience = 0.2;  // how long the estimator has to explain a contact before a mean follows [s]
+  static constexpr double kFollow = 0.2;    // time constant of a mean that follows what the estimator explains [s]
+  static constexpr double kRevert = 1;      // time constant with which a mean that is kept becomes uncertain [s]
+  static constexpr double kUsual = 30;      // memory of what is usual in the long run [s]
+  static constexpr double kQuiet = 0.02;    // how long the statistic has to be usual at the end of a contact [s]
+  // After a contact its tail is still in the averages, and the arm swings back: for a while the means follow quickly, and
+  // only a residual twice as large as usual is another contact.
+  static constexpr double kSettle = 0.1, kQuick = 0.03;  // how long, and the time constant [s]
+  static constexpr double kAgain = 4;                    // threshold of the statistic meanwhile, relative to the usual
+  static constexpr double kChange = 0.1;    // memory of dq, whose difference from it is the change of speed [s]
+  static constexpr double kStill = 0.02;    // speed of a joint below which it turns over [rad/s]
+  static constexpr double kTurned = 0.1;    // how long after that friction still settles [s]
+  static constexpr double kLargest = 9;     // bound of a squared error in multiples of its variance
+  static constexpr double kRefresh = 0.01;  // time between two wrenches while nothing touches the arm [s]
   static constexpr double kForce = 100, kMoment = 20;  // prior standard deviations of the wrench [N], [N m]
   // Standard deviation of a contact's distance from the middle of its link, along each axis [m]; of two kinds of contacts.
   static constexpr double kReach[2] = {0.01, 0.1};
   // Standard deviations before anything was seen, for a joint of scale 1: noise [N m], errors in motion [N m s/rad],
   // errors of friction that turns over [N m].
   static constexpr double kNoise = 0.05, kMotion = 0.1, kFriction = 0.05;
-  static constexpr int kParts = 4;         // of a variance: noise, speed, change of speed, turn-over
+  static constexpr int kParts = 4;  // of a variance: noise, speed, change of speed, turn-over
 
   struct Scale {
     Scale(double false_alarms, const Vector& scale, int index) noexcept
@@ -193,15 +197,15 @@ class ContactMonitor {
       }
     }
     ExtremeThreshold<Scalar, Dofs> threshold;
-    Scalar smooth, slow;                                           // time constants of y and m [s]
-    Vector average = Vector::Zero(), mean = Vector::Zero();        // y, m
-    Vector usual = Vector::Zero(), spread = Vector::Zero();        // of y in the long run: mean and variance
-    Vector part[kParts];                                           // parts of the variance per unit of what causes them
-    Vector seen[kParts];                                           // samples that each was learned from
-    Vector known = Vector::Zero();                                 // errors of the payload [(N m)^2]
-    Vector loose = Vector::Zero();                                 // the part of v that is an error of the mean
-    Vector variance = Vector::Ones();                              // v
-    Scalar statistic = Scalar(0), largest = Scalar(0);             // d, and its maximum in this window
+    Scalar smooth, slow;                                     // time constants of y and m [s]
+    Vector average = Vector::Zero(), mean = Vector::Zero();  // y, m
+    Vector usual = Vector::Zero(), spread = Vector::Zero();  // of y in the long run: mean and variance
+    Vector part[kParts];                                     // parts of the variance per unit of what causes them
+    Vector seen[kParts];                                     // samples that each was learned from
+    Vector known = Vector::Zero();                           // errors of the payload [(N m)^2]
+    Vector loose = Vector::Zero();                           // the part of v that is an error of the mean
+    Vector variance = Vector::Ones();                        // v
+    Scalar statistic = Scalar(0), largest = Scalar(0);       // d, and its maximum in this window
   };
 
   static Scalar blend(double dt, Scalar time) noexcept {  // of a first-order filter, without a call of exp
@@ -228,19 +232,20 @@ class ContactMonitor {
   FrictionRegression<Scalar, Dofs> friction_;
   ContactState<Scalar, Dofs> state_;
   bool started_ = false;
-  Vector cause_[kParts];                    // what the parts of the variance are multiplied by
-  Vector slow_dq_ = Vector::Zero();         // dq, averaged over kChange
-  Vector turned_ = Vector::Zero();          // 1 while a joint turns over, then fading
+  Vector cause_[kParts];             // what the parts of the variance are multiplied by
+  Vector slow_dq_ = Vector::Zero();  // dq, averaged over kChange
+  Vector turned_ = Vector::Zero();   // 1 while a joint turns over, then fading
   Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();
-  double watched_ = 0;                      // time that was watched since construction or reopen() [s]
+  double watched_ = 0;  // time that was watched since construction or reopen() [s]
   double since_learned_ = 0, since_wrench_ = 0, window_ = 0, quiet_ = 0, age_ = 0;  // [s]
-  double usual_at_ = 0;                     // when the fast statistic was usual last [s]
-  int learned_ = 0;                         // samples that variances were learned from
-  bool clean_ = true;                       // nothing has happened in this window
+  double usual_at_ = 0;  // when the fast statistic was usual last [s]
+  int learned_ = 0;      // samples that variances were learned from
+  bool clean_ = true;    // nothing has happened in this window
   bool settled_ = true, explained_ = false, followed_ = false;
-  double explained_since_ = 0;              // [s]
+  double settle_ = 0;           // how long the last contact still settles [s]
+  double explained_since_ = 0;  // [s]
   int next_link_ = 0;
-  Vector log_evidence_ = Vector::Zero();    // of each link
+  Vector log_evidence_ = Vector::Zero();  // of each link
 };
 
 template <typename Scalar, int Dofs>
@@ -283,6 +288,7 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
   cause_[2].setConstant(change);
   cause_[3] = turned_;
   Scalar largest = Scalar(0);
+  settle_ = std::max(0.0, settle_ - dt);
   const Scalar doubt = Scalar(1) + Scalar(10) / static_cast<Scalar>(learned_ + 1);
   const Scalar grown = contact ? std::min(Scalar(1), static_cast<Scalar>(2 * age_ / kRevert)) : Scalar(0);
   for (Scale& s : scales_) {
@@ -299,8 +305,8 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
     }
     s.statistic = statistic;
     largest = std::max(largest, statistic / s.threshold.threshold());
-    if (learns)
-      detail::add_scaled(s.mean, blend(dt, contact ? Scalar(kFollow) : s.slow), detail::difference(s.average, s.mean));
+    const Scalar memory = contact ? Scalar(kFollow) : settle_ > 0 ? Scalar(kQuick) : s.slow;
+    if (learns) detail::add_scaled(s.mean, blend(dt, memory), detail::difference(s.average, s.mean));
     s.largest = std::max(s.largest, statistic);
   }
   state_.statistic = largest;
@@ -309,14 +315,14 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
     state_.ready = true;
     clean_ = false;
   }
-  if (state_.ready && !contact && largest > Scalar(1)) begin(time);
+  if (state_.ready && !contact && largest > Scalar(settle_ > 0 ? kAgain : 1)) begin(time);
   if (state_.contact) {
     bool usual = true;
     for (const Scale& s : scales_) usual &= s.statistic <= s.threshold.usual();
     quiet_ = usual ? quiet_ + dt : 0;
     if (quiet_ >= kQuiet - 1e-9) finish(time);
   }
-  clean_ &= !state_.contact && settled_;
+  clean_ &= !state_.contact && settled_ && !(settle_ > 0);
 
   since_learned_ += dt;
   if (since_learned_ >= kLearn - 1e-9) {
@@ -354,7 +360,8 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
     find_wrench();
     if (state_.contact) {
       weigh_link();
-      state_.last.peak_torque = std::max(state_.last.peak_torque, std::sqrt(detail::dot(state_.residual, state_.residual)));
+      state_.last.peak_torque =
+          std::max(state_.last.peak_torque, std::sqrt(detail::dot(state_.residual, state_.residual)));
       state_.last.peak_force = std::max(state_.last.peak_force, state_.wrench.force.norm());
     }
   }
@@ -382,6 +389,7 @@ void ContactMonitor<Scalar, Dofs>::finish(double time) noexcept {
   followed_ = explained_;
   explained_ = false;
   take_over();
+  settle_ = kSettle;
 }
 
 /// Updates the parts of the variance of one scale: each has the share of the error that it has of the variance (T62).

@@ -45,31 +45,33 @@ struct ContactEvent {
 /// What acts on the arm and is explained neither by the payload nor by what the arm has shown so far.
 template <typename Scalar, int Dofs>
 struct ContactState {
-  using Vector = JointVector<Scalar, Dofs>;  ///< joint torque [N m]
+  using Vector = JointVector<Scalar, Dofs>;                        ///< joint torque [N m]
+  static constexpr int kSize = Dofs == Eigen::Dynamic ? 0 : Dofs;  ///< number of joints, 0 if known at run time only
 
   bool ready = false;    ///< whether enough of the arm has been seen, which takes a second; no contact before
   bool contact = false;  ///< whether something touches the arm, or its payload changes
   /// How much of the residual there is: 1 is the threshold at which `contact` becomes true (docs/theory.md (T64)).
   Scalar statistic = Scalar(0);
   /// External torque that is not explained [N m]. It lags by the observer's time constant and 4 ms.
-  Vector residual = Vector::Zero();
-  Vector variance = Vector::Zero();  ///< of `residual`, while nothing touches the arm [(N m)^2]; the joints are independent
+  Vector residual = Vector::Zero(kSize);
+  Vector variance =
+      Vector::Zero(kSize);  ///< of `residual`, while nothing touches the arm [(N m)^2]; the joints are independent
   /// Residual torque of each joint that would be a contact if the other joints showed none [N m].
-  Vector threshold = Vector::Zero();
+  Vector threshold = Vector::Zero(kSize);
   /// The wrench at the tip that explains `residual` best (T65): world axes, moment about the end-effector origin. While
   /// nothing touches the arm, it is computed each 10 ms.
   Wrench<Scalar> wrench;
   Matrix6<Scalar> wrench_covariance = Matrix6<Scalar>::Identity();  ///< of (force, moment) [N, N m]
   /// Probability that the contact is on link j + 1, the one that joint j moves; the last one includes hand and payload
   /// (T66). Sum 1; zero while `contact` is false.
-  Vector link = Vector::Zero();
+  Vector link = Vector::Zero(kSize);
   ContactEvent<Scalar> last;  ///< the contact that goes on, or the last one
 
   /// Number of the link that the contact is most probably on, 1 to Dofs; 0 while there is none.
   int likeliest_link() const noexcept {
     if (!contact) return 0;
     int best = 0;
-    for (int j = 1; j < Dofs; ++j)
+    for (int j = 1; j < static_cast<int>(link.size()); ++j)
       if (link[j] > link[best]) best = j;
     return best + 1;
   }

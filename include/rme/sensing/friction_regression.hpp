@@ -36,9 +36,7 @@ class FrictionRegression {
     }
   }
   /// Torque of the friction [N m].
-  Vector torque() const noexcept {
-    return coulomb_.cwiseProduct(direction_) + viscous_.cwiseProduct(velocity_);
-  }
+  Vector torque() const noexcept { return coulomb_.cwiseProduct(direction_) + viscous_.cwiseProduct(velocity_); }
   /// Coulomb friction of each joint [N m].
   const Vector& coulomb() const noexcept { return coulomb_; }
   /// Learns from a residual in which nothing but the arm shows.
@@ -63,10 +61,10 @@ class FrictionRegression {
   }
 
  private:
-  static constexpr double kStill = 0.005;   // speed at which the direction is half known [rad/s]
-  static constexpr double kForget = 1e-6;   // share of the prior's covariance that returns with each sample
-  static constexpr double kNoise = 0.3;     // of a sample, whose errors last for several samples [N m]
-  static constexpr double kLargest = 3;     // bound of an error in standard deviations
+  static constexpr double kStill = 0.005;  // speed at which the direction is half known [rad/s]
+  static constexpr double kForget = 1e-6;  // share of the prior's covariance that returns with each sample
+  static constexpr double kNoise = 0.3;    // of a sample, whose errors last for several samples [N m]
+  static constexpr double kLargest = 3;    // bound of an error in standard deviations
   static constexpr double kOffset = 1, kCoulomb = 1, kViscous = 0.5;  // prior standard deviations [N m], [N m s/rad]
 
   Matrix3<Scalar> prior(int j) const noexcept {

@@ -36,7 +36,8 @@ class ContactWatch {
   /// @param dt            nominal control period [s], > 0
   ContactWatch(double false_alarms, const Vector& scale, double bandwidth, const Vector3<Scalar>& gravity,
                double dt) noexcept
-      : explained_(bandwidth, Averager::kObserverPeriod, gravity), monitor_(false_alarms, scale, bandwidth > 0 ? 1 / bandwidth : 0) {
+      : explained_(bandwidth, Averager::kObserverPeriod, gravity),
+        monitor_(false_alarms, scale, bandwidth > 0 ? 1 / bandwidth : 0) {
     for (int i = 0; i < Monitor::kScales; ++i) {
       // White noise of a velocity, differentiated and averaged: over a time constant T alone its variance is that of the
       // velocity over T^2; the observer's filter comes first, and T averages over 2 T / dt of its values.
@@ -102,8 +103,8 @@ class ContactWatch {
   static constexpr double kMoved = 0.8;    // share of the last changes of the explanation that is kept per block
   // The tracker is behind by half a block, its computation and the next block: nearly two blocks.
   static constexpr double kBehind = 2;
-  static constexpr double kKeep = 0.999;   // share of a payload's noise that is kept per block after it is gone
-  static constexpr double kPatience = 0.5; // how long after a contact an event may still be found that explains it [s]
+  static constexpr double kKeep = 0.999;    // share of a payload's noise that is kept per block after it is gone
+  static constexpr double kPatience = 0.5;  // how long after a contact an event may still be found that explains it [s]
 
   /// Payload and tool, phi.
   static InertialVector<Scalar> body(const TrackerBelief<Scalar>& belief) noexcept {
@@ -179,10 +180,10 @@ class ContactWatch {
   ExplainedTorque<Scalar, Dofs> explained_;
   Monitor monitor_;
   Scalar noise_gain_[Monitor::kScales];
-  Regressor regressor_[Monitor::kScales];  // slow means of the blocks' regressors
+  Regressor regressor_[Monitor::kScales];                              // slow means of the blocks' regressors
   Vector noise_[Monitor::kScales] = {Vector::Zero(), Vector::Zero()};  // of the acceleration [(N m)^2]
-  Vector moved_ = Vector::Zero();  // last changes of the explanation [N m]
-  bool settled_ = true;            // payload and arm explained the last block
+  Vector moved_ = Vector::Zero();                                      // last changes of the explanation [N m]
+  bool settled_ = true;                                                // payload and arm explained the last block
   int regressors_ = 0;
   int number_ = 0;          // of the contact that disturbed_ belongs to
   bool disturbed_ = false;  // a block was disturbed during the contact
