@@ -222,7 +222,7 @@ TEST_CASE("ContactMonitor: a payload that is known better is no contact; one tha
   for (int k = 0; k < 80; ++k) watch.tick(load);
   CHECK(watch.state().contact);
   watch.monitor->replace(load + change);
-  for (int k = 0; k < 100; ++k) {
+  for (int k = 0; k < 500; ++k) {
     watch.through = -change;
     watch.tick(-change);
   }
