@@ -1,7 +1,6 @@
 // contact: how small a contact does the estimator notice while the arm carries a payload in motion, and how soon?
 //
-// A Panda under an impedance law with typical sensor faults and an error of 1 % in its links' masses carries 2 kg along a
-// sine path at 0.5 Hz. After a minute it is pushed for 0.3 s, again and again, in random directions: at the tip, and at
+// A Panda (carrying_arm.hpp) carries 2 kg along a sine path at 0.5 Hz. After a minute it is pushed for 0.3 s, again and again, in random directions: at the tip, and at
 // the elbow. Prints the threshold with the payload and with an empty hand, how many pushes were noticed and after what
 // time, how many were found at the right place, and how many contacts were noticed that were none.
 #include <algorithm>
@@ -11,12 +10,10 @@
 #include <rme/estimator.hpp>
 #include <stdexcept>
 #include <string>
-#include <synthetic_arm/panda.hpp>
-#include <synthetic_arm/pose_impedance.hpp>
 #include <synthetic_arm/runge_kutta.hpp>
-#include <synthetic_arm/synthetic_arm.hpp>
 #include <vector>
 
+#include "carrying_arm.hpp"
 #include "io/program.hpp"
 
 namespace {
@@ -45,9 +42,7 @@ Exit codes: 0 done; 1 a push of 5 N at the tip or of 10 N at the elbow was not n
 
 struct Options {
   std::size_t pushes = 200;
-  bool friction = false;
-  double noise = 0;
-  std::uint64_t seed = 1;
+  CarryingArm arm;
 };
 
 /// A torque that something at the elbow makes, in all steps of the physics: the arm has no place for it in its Load.
@@ -126,23 +121,13 @@ PoseTarget path(const Kinematics<7>& home, double t) {
 /// @param mass    of the payload [kg]; 0 for none
 /// @param pushes  how many; without any, a minute is simulated
 Result run_arm(const Options& options, double mass, std::size_t pushes) {
-  SyntheticArmConfig<7> faults = with_typical_faults(panda(), options.seed);
-  if (!options.friction) faults.friction = {};
+  SyntheticArmConfig<7> faults = options.arm.faults();
   faults.physics = PushedPhysics::make;
-  faults.dq_noise.setConstant(options.noise);
-  faults.noisy_observer = true;
-  faults.mass_error = 0.01;
-  faults.com_error = 1e-3;
   SyntheticArm<7> arm(panda(), faults, panda().ready);
-  PoseImpedanceConfig stiff;
-  stiff.rate = 8;
-  stiff.lambda1 = stiff.lambda2 = 120;
-  stiff.rotation_stiffness = 60;
-  stiff.rotation_damping = 6;
-  PoseImpedance<7> controller(panda(), panda().ready, stiff);
+  PoseImpedance<7> controller = CarryingArm::controller();
   const Kinematics<7> home = panda().kinematics(panda().ready);
   const auto estimator = std::make_unique<rme::Estimator<double, 7>>(kPeriod);
-  std::mt19937_64 random(options.seed * 77 + 5);
+  std::mt19937_64 random(options.arm.seed * 77 + 5);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(0, 1);
 
@@ -174,7 +159,7 @@ Result run_arm(const Options& options, double mass, std::size_t pushes) {
     }
     if (row == nullptr && pushes > 0 && t > next && !contact.contact) {
       row = &result.rows[static_cast<std::size_t>(4 * uniform(random)) % 4];
-      const Vector3d force = row->force * Vector3d(normal(random), normal(random), normal(random)).normalized();
+      const Vector3d force = row->force * Vector3d{normal(random), normal(random), normal(random)}.normalized();
       if (row->elbow)
         torque_at_elbow() = elbow_torque(arm.q(), force);
       else
@@ -221,9 +206,9 @@ Result run_arm(const Options& options, double mass, std::size_t pushes) {
 int run(Arguments& arguments) {
   Options options;
   options.pushes = arguments.whole("--pushes", 1, 100000).value_or(200);
-  options.friction = arguments.flag("--friction");
-  options.noise = arguments.number("--noise").value_or(0);
-  options.seed = arguments.whole("--seed", 0).value_or(1);
+  options.arm.friction = arguments.flag("--friction");
+  options.arm.noise = arguments.number("--noise").value_or(0);
+  options.arm.seed = arguments.whole("--seed", 0).value_or(1);
   arguments.finish();
 
   const Result empty = run_arm(options, 0, 0);

@@ -162,9 +162,8 @@ Estimator<Scalar, Dofs>::Estimator(double dt, const Config& config)
       averager_(config.observer_bandwidth, config.gravity),
       tracker_(config.arm.value_or(ArmPrior<Scalar, Dofs>::of(config.rated_payload)), payload_prior_,
                config.rated_payload, config.sensing, config.gravity),
-      watch_(config.contact_false_alarms,
-             config.arm.value_or(ArmPrior<Scalar, Dofs>::of(config.rated_payload)).residual, config.observer_bandwidth,
-             config.gravity, dt) {
+      watch_(config.contact_false_alarms, config.arm.value_or(ArmPrior<Scalar, Dofs>::of(config.rated_payload)),
+             config.observer_bandwidth, config.gravity, dt) {
   // A block is processed in a quarter of the ticks until the next one, so that the estimate is soon up to date.
   const int ticks = static_cast<int>(BlockAverager<Scalar, Dofs>::kDuration / dt / 4);
   steps_per_tick_ = ticks > 1 ? kChildren / ticks + 1 : kManyChildren;

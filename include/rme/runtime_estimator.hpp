@@ -137,7 +137,7 @@ class RuntimeEstimator {
     return std::visit([](const auto& e) -> const EstimatorState<Scalar>& { return e.state(); }, any_);
   }
 
-  /// What acts on the arm and is not explained: Estimator::contact(), as of the last update().
+  /// What acts on the arm and is not explained: Estimator::contact().
   const Contact& contact() const noexcept { return contact_; }
 
   /// The torque that carries the payload: Estimator::compensation().
@@ -179,17 +179,33 @@ class RuntimeEstimator {
 
   /// The host says that the hand is empty: Estimator::declare_empty().
   void declare_empty() noexcept {
-    std::visit([](auto& e) { e.declare_empty(); }, any_);
+    std::visit(
+        [this](auto& e) {
+          e.declare_empty();
+          copy(e.contact());
+        },
+        any_);
   }
   /// The host says what is held: Estimator::set_payload().
   /// @param payload  mass [kg] and centre of mass [m], end-effector axes
   /// @return Ok; NonFiniteInput: nothing is changed then
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept {
-    return std::visit([&](auto& e) { return e.set_payload(payload); }, any_);
+    return std::visit(
+        [&](auto& e) {
+          const Status status = e.set_payload(payload);
+          copy(e.contact());
+          return status;
+        },
+        any_);
   }
   /// The host says that what is held is tool: Estimator::tare().
   void tare() noexcept {
-    std::visit([](auto& e) { e.tare(); }, any_);
+    std::visit(
+        [this](auto& e) {
+          e.tare();
+          copy(e.contact());
+        },
+        any_);
   }
   /// The host says that the payload is about to change: Estimator::expect_change().
   void expect_change() noexcept {

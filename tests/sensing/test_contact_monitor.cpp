@@ -14,6 +14,12 @@ using Monitor = rme::ContactMonitor<double, kDofs>;
 using Joints = rme::JointVector<double, kDofs>;
 using Jacobian = rme::Jacobian<double, kDofs>;
 
+/// With the sizes of a Panda's friction.
+Monitor monitor_of(double false_alarms, double lag) {
+  const Joints scale = Joints::Ones();
+  return {false_alarms, scale, {lag, scale, 0.2 * scale, 0.1 * scale}};
+}
+
 /// A pose like an arm's, of full rank: seven revolute joints, of which every other one is turned by about a right angle.
 Jacobian jacobian() {
   Jacobian J;
@@ -43,7 +49,7 @@ struct Noise {
 /// The arm rests, and the estimator says that payload and arm explain everything.
 struct Watch {
   explicit Watch(unsigned seed, double false_alarms = 0.1)
-      : noise(seed), monitor(std::make_unique<Monitor>(false_alarms, Joints::Ones(), 0.02)) {}
+      : noise(seed), monitor(std::make_unique<Monitor>(monitor_of(false_alarms, 0.02))) {}
   void tick(const Joints& added = Joints::Zero()) {
     ++ticks;
     // A contact, too, comes through the observer.
@@ -109,7 +115,7 @@ TEST_CASE("ContactMonitor: a force of 5 N at the tip is noticed within 10 ms, an
   for (int i = 0; i < 20; ++i) {
     CAPTURE(i);
     const rme::Vector3<double> force =
-        5 * rme::Vector3<double>(normal(random), normal(random), normal(random)).normalized();
+        5 * rme::Vector3<double>{normal(random), normal(random), normal(random)}.normalized();
     const Joints torque = jacobian().topRows<3>().transpose() * force;
     const int number = watch.state().last.number;
     int noticed = 0;
@@ -232,7 +238,7 @@ TEST_CASE("ContactMonitor: a payload that is known better is no contact; one tha
 TEST_CASE("ContactMonitor: what it reports is finite, whatever happens", "[contact]") {
   std::mt19937_64 random(13);
   std::normal_distribution<double> normal;
-  Monitor monitor(0.1, Joints::Ones(), 0.02);
+  Monitor monitor = monitor_of(0.1, 0.02);
   Jacobian J = jacobian();
   for (int k = 1; k < 20000; ++k) {
     // Residuals from 1e-8 to the largest plausible one, a singular Jacobian at times, and joints that jump.
@@ -257,7 +263,7 @@ TEST_CASE("ContactMonitor: what it reports is finite, whatever happens", "[conta
 }
 
 TEST_CASE("ContactMonitor: no torque at all is no contact", "[contact]") {
-  Monitor monitor(0.1, Joints::Ones(), 0);
+  Monitor monitor = monitor_of(0.1, 0);
   for (int k = 1; k <= 60000; ++k) {
     monitor.update(Joints::Zero(), jacobian(), Joints::Zero(), 1e-3, 1e-3 * k);
     if (k % 20 == 0) monitor.judge(true, 1e-3 * (k - 20));

@@ -1,75 +1,19 @@
 #pragma once
 /// Notices a contact within milliseconds. In: the external torque that neither the payload nor anything else explains,
-/// each tick. Out: whether it is more than the arm has shown so far by itself, (T61) to (T64), the wrench at the tip that
-/// explains it (T65), and the link that it acts on (T66).
+/// each tick. Out: whether it is more than the arm has shown so far by itself, (T61) to (T64), and the wrench at the tip
+/// that explains it (T65).
 #include <algorithm>
 #include <cmath>
 #include <rme/core/cholesky.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/core/wrench.hpp>
+#include <rme/sensing/contact_link.hpp>
 #include <rme/sensing/contact_state.hpp>
+#include <rme/sensing/extreme_threshold.hpp>
 #include <rme/sensing/friction_regression.hpp>
 
 namespace rme {
-
-/// The threshold of a statistic that exceeds it as seldom as is stated, from the largest values that it has shown.
-///
-/// The maxima of windows of one second follow Gumbel's law, whatever the correlation time of the statistic: P(max > x) =
-/// exp(-(x - mu) / beta) for large x. mu and beta come from the mean and the variance of the maxima; beta has been seen in
-/// n windows only, so with its posterior the tail is (docs/theory.md (T63))
-///
-///     P(max > x) = (1 + (x - mu) / (n beta))^-n
-///
-/// The prior is that of chi-square with `Degrees` degrees of freedom. No call allocates.
-template <typename Scalar, int Degrees>
-class ExtremeThreshold {
- public:
-  /// @param per_window  stated probability that the threshold is exceeded in a window, above 0 and below 1
-  explicit ExtremeThreshold(double per_window) noexcept : per_window_(per_window) {
-    // Wilson and Hilferty's quantiles of chi-square. The largest of kIndependent numbers is below mu with probability
-    // 1 / e, and below mu + beta with exp(-1 / e).
-    const auto quantile = [](double z) {
-      const double a = 2.0 / (9.0 * Degrees), root = 1 - a + z * std::sqrt(a);
-      return Degrees * root * root * root;
-    };
-    const double mu = quantile(kLocation), beta = quantile(kLocationAndScale) - mu;
-    mean_ = mu + kEuler * beta;
-    variance_ = kPi * kPi / 6 * beta * beta;
-    solve();
-  }
-  /// Takes in the largest value of a window in which nothing happened.
-  void learn(double largest) noexcept {
-    windows_ = std::min(windows_ + 1, kMemory);
-    const double blend = 1.0 / (kPrior + windows_), away = largest - mean_;
-    mean_ += blend * away;
-    variance_ += blend * ((1 - blend) * away * away - variance_);
-    solve();
-  }
-  Scalar threshold() const noexcept { return threshold_; }  ///< exceeded as seldom as is stated
-  Scalar usual() const noexcept { return usual_; }          ///< mu: exceeded about once in a window
-
-  static constexpr double kWindow = 1;  ///< duration of a window [s]
-
- private:
-  static constexpr double kEuler = 0.5772156649015329, kPi = 3.141592653589793;
-  static constexpr int kPrior = 20;    // windows that the prior counts as
-  static constexpr int kMemory = 600;  // windows that are remembered: 10 min
-  // Standard normal quantiles of exp(-1 / 50) and of exp(-1 / (50 e)): 50 independent numbers in a window.
-  static constexpr double kLocation = 2.058, kLocationAndScale = 2.441;
-
-  void solve() noexcept {
-    const double n = kPrior + windows_;
-    const double beta = std::sqrt(6 * variance_) / kPi, mu = mean_ - kEuler * beta;
-    usual_ = static_cast<Scalar>(mu);
-    threshold_ = static_cast<Scalar>(mu + n * beta * (std::pow(per_window_, -1 / n) - 1));
-  }
-
-  double per_window_;
-  double mean_ = 0, variance_ = 0;  // of the maxima
-  int windows_ = 0;
-  Scalar threshold_ = Scalar(0), usual_ = Scalar(0);
-};
 
 /// Watches the residual torque s of an arm on two scales: averaged over 4 ms against its mean over the last 0.15 s, and over
 /// 25 ms against the last second. The first one is fast; the second one finds what is small, and what comes slowly.
@@ -91,9 +35,9 @@ class ContactMonitor {
 
   /// @param false_alarms  how often `contact` may be true while nothing touches the arm [1/h], > 0
   /// @param scale         of each joint: size of its noise and errors relative to a Panda's (ArmPrior::residual), > 0
-  /// @param lag           time constant of the observer that the residual comes from [s], >= 0
-  ContactMonitor(double false_alarms, const Vector& scale, double lag) noexcept
-      : scales_{Scale(false_alarms, scale, 0), Scale(false_alarms, scale, 1)}, scale_(scale), friction_(lag, scale) {}
+  /// @param friction      of each joint, of which nothing is known but its size
+  ContactMonitor(double false_alarms, const Vector& scale, const FrictionRegression<Scalar, Dofs>& friction) noexcept
+      : scales_{Scale(false_alarms, scale, 0), Scale(false_alarms, scale, 1)}, scale_(scale), friction_(friction) {}
 
   /// Advances by one tick.
   /// @param residual  s, external torque minus what is explained, both filtered by the observer, finite
@@ -138,13 +82,14 @@ class ContactMonitor {
       for (int j = 0; j < Dofs; ++j)
         scales_[i].known[j] = variance[i][j] + noise[i][j] + 2 * std::sqrt(noise[i][j] * scales_[i].part[0][j]);
   }
-  /// The next sample has no predecessor; what was learned stays.
-  void interrupt() noexcept { started_ = false; }
+  /// Probability that the torque contains joint friction, as far as the estimator knows; 0 at first.
+  void expect_friction(Scalar probability) noexcept { friction_share_ = probability; }
+  /// The next sample has no predecessor; what was learned stays. Until it comes, the state is not ready.
+  void interrupt() noexcept { started_ = state_.ready = false; }
   /// The torque changes at once for a reason that the host has given. A contact that goes on is over.
   void reopen() noexcept {
-    started_ = false;
+    interrupt();
     finish(state_.last.noticed);
-    state_.ready = false;
     watched_ = 0;
   }
   /// What the last contact turned out to be. One that was the arm's own error raises the threshold.
@@ -178,8 +123,6 @@ class ContactMonitor {
   static constexpr double kLargest = 9;     // bound of a squared error in multiples of its variance
   static constexpr double kRefresh = 0.01;  // time between two wrenches while nothing touches the arm [s]
   static constexpr double kForce = 100, kMoment = 20;  // prior standard deviations of the wrench [N], [N m]
-  // Standard deviation of a contact's distance from the middle of its link, along each axis [m]; of two kinds of contacts.
-  static constexpr double kReach[2] = {0.01, 0.1};
   // Standard deviations before anything was seen, for a joint of scale 1: noise [N m], errors in motion [N m s/rad],
   // errors of friction that turns over [N m].
   static constexpr double kNoise = 0.05, kMotion = 0.1, kFriction = 0.05;
@@ -225,11 +168,11 @@ class ContactMonitor {
   void finish(double time) noexcept;
   void learn(Scale& scale) noexcept;
   void find_wrench() noexcept;
-  void weigh_link() noexcept;
 
   Scale scales_[kScales];
   Vector scale_;
   FrictionRegression<Scalar, Dofs> friction_;
+  Scalar friction_share_ = Scalar(0);  // probability that there is any
   ContactState<Scalar, Dofs> state_;
   bool started_ = false;
   Vector cause_[kParts];             // what the parts of the variance are multiplied by
@@ -244,8 +187,7 @@ class ContactMonitor {
   bool settled_ = true, explained_ = false, followed_ = false;
   double settle_ = 0;           // how long the last contact still settles [s]
   double explained_since_ = 0;  // [s]
-  int next_link_ = 0;
-  Vector log_evidence_ = Vector::Zero();  // of each link
+  ContactLink<Scalar, Dofs> link_;
 };
 
 template <typename Scalar, int Dofs>
@@ -277,12 +219,7 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
   // A joint that hardly moves while the arm moves, or has just moved, turns over, stops, or is about to break away.
   const Scalar still = Scalar(kStill * kStill), fade = Scalar(1) - blend(dt, Scalar(kTurned));
   const Scalar moves = (moved + change) / (moved + change + Scalar(0.25) * still);
-  Vector stiction;  // variance of the friction of a joint that rests: anywhere between its Coulomb frictions
-  for (int j = 0; j < Dofs; ++j) {
-    const Scalar rests = still / (still + dq[j] * dq[j]), coulomb = friction_.coulomb()[j];
-    turned_[j] = std::max(fade * turned_[j], moves * rests);
-    stiction[j] = rests * coulomb * coulomb / Scalar(12);
-  }
+  for (int j = 0; j < Dofs; ++j) turned_[j] = std::max(fade * turned_[j], moves * friction_.rest()[j]);
   cause_[0].setOnes();
   cause_[1].setConstant(speed);
   cause_[2].setConstant(change);
@@ -291,22 +228,22 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
   settle_ = std::max(0.0, settle_ - dt);
   const Scalar doubt = Scalar(1) + Scalar(10) / static_cast<Scalar>(learned_ + 1);
   const Scalar grown = contact ? std::min(Scalar(1), static_cast<Scalar>(2 * age_ / kRevert)) : Scalar(0);
+  const Vector stuck = friction_.variance(friction_share_);
   for (Scale& s : scales_) {
     detail::add_scaled(s.average, blend(dt, s.smooth), detail::difference(unexplained, s.average));
+    const Scalar follow = blend(dt, contact ? Scalar(kFollow) : settle_ > 0 ? Scalar(kQuick) : s.slow);
     Scalar statistic = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
       Scalar v = s.part[0][j];
       for (int p = 1; p < kParts; ++p) v += s.part[p][j] * cause_[p][j];
       s.loose[j] = s.known[j] + grown * s.spread[j];
-      v = doubt * v + stiction[j] + s.loose[j];
-      s.variance[j] = v;
+      s.variance[j] = doubt * v + stuck[j] + s.loose[j];
       const Scalar e = s.average[j] - s.mean[j];
-      statistic += e * e / v;
+      statistic += e * e / s.variance[j];
+      if (learns) s.mean[j] += follow * e;
     }
     s.statistic = statistic;
     largest = std::max(largest, statistic / s.threshold.threshold());
-    const Scalar memory = contact ? Scalar(kFollow) : settle_ > 0 ? Scalar(kQuick) : s.slow;
-    if (learns) detail::add_scaled(s.mean, blend(dt, memory), detail::difference(s.average, s.mean));
     s.largest = std::max(s.largest, statistic);
   }
   state_.statistic = largest;
@@ -359,7 +296,7 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
     }
     find_wrench();
     if (state_.contact) {
-      weigh_link();
+      link_.update(jacobian_, state_.residual, state_.variance, state_.link);
       state_.last.peak_torque =
           std::max(state_.last.peak_torque, std::sqrt(detail::dot(state_.residual, state_.residual)));
       state_.last.peak_force = std::max(state_.last.peak_force, state_.wrench.force.norm());
@@ -373,11 +310,9 @@ void ContactMonitor<Scalar, Dofs>::begin(double time) noexcept {
   state_.last = ContactEvent<Scalar>{state_.last.number + 1, ContactCause::Undecided, usual_at_, time};
   quiet_ = age_ = 0;
   explained_ = followed_ = false;
-  next_link_ = 0;
-  // Before the first comparison all links are as probable.
-  log_evidence_.setZero();
+  link_ = ContactLink<Scalar, Dofs>();
   state_.link.setConstant(Scalar(1) / Scalar(Dofs));
-  for (int j = 0; j < Dofs; ++j) weigh_link();
+  for (int j = 0; j < Dofs; ++j) link_.update(jacobian_, state_.residual, state_.variance, state_.link);
 }
 
 template <typename Scalar, int Dofs>
@@ -431,61 +366,6 @@ void ContactMonitor<Scalar, Dofs>::find_wrench() noexcept {
   if (!factor.positive_definite()) return;
   state_.wrench_covariance = factor.inverse();
   state_.wrench = Wrench<Scalar>::from_vector(detail::product(state_.wrench_covariance, sum));
-}
-
-/// Computes the evidence of one link per call, and the probabilities of all (T66).
-template <typename Scalar, int Dofs>
-void ContactMonitor<Scalar, Dofs>::weigh_link() noexcept {
-  const int k = next_link_;
-  next_link_ = k + 1 == Dofs ? 0 : k + 1;
-  const Jacobian<Scalar, Dofs>& J = jacobian_;
-  // The foot of the perpendicular from the end-effector origin to a joint's axis, as seen from the origin: a point of
-  // the axis. A link lies between its own axis and the next one; the last one reaches to the end-effector origin.
-  const auto foot = [&J](int j) {
-    const Vector3<Scalar> v(J(0, j), J(1, j), J(2, j)), z(J(3, j), J(4, j), J(5, j));
-    return Vector3<Scalar>(z.cross(v));
-  };
-  Vector3<Scalar> middle = Vector3<Scalar>::Zero();
-  if (k + 1 < Dofs) middle = Scalar(0.5) * (foot(k) + foot(k + 1));
-  // The size of the force: one that makes a torque as large as the residual over the arm's mean lever.
-  Scalar lever = Scalar(1e-6);
-  for (int j = 0; j < Dofs; ++j)
-    for (int i = 0; i < 3; ++i) lever += J(i, j) * J(i, j);
-  const Scalar force = detail::dot(state_.residual, state_.residual) * Scalar(3) / lever;
-  Eigen::Matrix<Scalar, Dofs, Dofs> S = Eigen::Matrix<Scalar, Dofs, Dofs>::Zero(), turn = S;
-  for (int axis = 0; axis < 3; ++axis) {
-    Vector push, twist;
-    for (int j = 0; j < Dofs; ++j) {
-      const Vector3<Scalar> v(J(0, j), J(1, j), J(2, j)), z(J(3, j), J(4, j), J(5, j));
-      const Vector3<Scalar> velocity = v + z.cross(middle);  // of the link's middle, per unit of dq_j
-      push[j] = j <= k ? velocity[axis] : Scalar(0);
-      twist[j] = j <= k ? z[axis] : Scalar(0);
-    }
-    detail::add_outer(S, detail::scaled(force, push), push);
-    detail::add_outer(turn, detail::scaled(force, twist), twist);
-  }
-  for (int j = 0; j < Dofs; ++j) S(j, j) += state_.variance[j];
-  // Near the middle or anywhere on the link: the mean of both.
-  Scalar evidence[2];
-  for (int i = 0; i < 2; ++i) {
-    detail::add_scaled(S, Scalar(kReach[i] * kReach[i]), turn);
-    const Cholesky<Scalar, Dofs> factor(S);
-    if (!factor.positive_definite()) return;
-    const Vector white = factor.solve_lower(state_.residual);
-    evidence[i] = Scalar(-0.5) * detail::dot(white, white) - factor.log_det_lower();
-  }
-  log_evidence_[k] = std::max(evidence[0], evidence[1]);
-  log_evidence_[k] += std::log1p(std::exp(std::min(evidence[0], evidence[1]) - log_evidence_[k]));
-  // Hand and payload are touched as often as all other links together.
-  if (k + 1 == Dofs) log_evidence_[k] += static_cast<Scalar>(std::log(std::max(1, Dofs - 1)));
-  if (k + 1 < Dofs) return;
-  Scalar best = log_evidence_[0], sum = Scalar(0);
-  for (int j = 1; j < Dofs; ++j) best = std::max(best, log_evidence_[j]);
-  for (int j = 0; j < Dofs; ++j) {
-    state_.link[j] = std::exp(log_evidence_[j] - best);
-    sum += state_.link[j];
-  }
-  state_.link /= sum;
 }
 
 }  // namespace rme

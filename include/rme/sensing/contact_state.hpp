@@ -48,7 +48,8 @@ struct ContactState {
   using Vector = JointVector<Scalar, Dofs>;                        ///< joint torque [N m]
   static constexpr int kSize = Dofs == Eigen::Dynamic ? 0 : Dofs;  ///< number of joints, 0 if known at run time only
 
-  bool ready = false;    ///< whether enough of the arm has been seen, which takes a second; no contact before
+  /// Whether a contact would be noticed: not in the first second, and not while tau_ext is no measurement.
+  bool ready = false;
   bool contact = false;  ///< whether something touches the arm, or its payload changes
   /// How much of the residual there is: 1 is the threshold at which `contact` becomes true (docs/theory.md (T64)).
   Scalar statistic = Scalar(0);

@@ -3,14 +3,17 @@
 /// of each block. Out: the contact that a host reads (sensing/contact_state.hpp).
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/sensing/contact_monitor.hpp>
 #include <rme/sensing/proprioception.hpp>
+#include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/event_monitor.hpp>
 #include <rme/tracking/explained_torque.hpp>
 #include <rme/tracking/inertial_parameters.hpp>
 #include <rme/tracking/mode.hpp>
+#include <rme/tracking/sensing_kind.hpp>
 #include <rme/tracking/torque_block.hpp>
 #include <rme/tracking/tracker.hpp>
 
@@ -30,14 +33,15 @@ class ContactWatch {
   using Vector = JointVector<Scalar, Dofs>;  ///< joint torque [N m]
 
   /// @param false_alarms  how often a contact may be noticed while nothing touches the arm [1/h], > 0
-  /// @param scale         of each joint: size of its noise and errors relative to a Panda's (ArmPrior::residual), > 0
+  /// @param arm           sizes of the joints' errors and friction before the first sample
   /// @param bandwidth     K of the observer that computed tau_ext [rad/s]; 0 if tau_ext is unfiltered
   /// @param gravity       g [m/s^2], world axes
   /// @param dt            nominal control period [s], > 0
-  ContactWatch(double false_alarms, const Vector& scale, double bandwidth, const Vector3<Scalar>& gravity,
+  ContactWatch(double false_alarms, const ArmPrior<Scalar, Dofs>& arm, double bandwidth, const Vector3<Scalar>& gravity,
                double dt) noexcept
       : explained_(bandwidth, Averager::kObserverPeriod, gravity),
-        monitor_(false_alarms, scale, bandwidth > 0 ? 1 / bandwidth : 0) {
+        monitor_(false_alarms, arm.residual,
+                 {bandwidth > 0 ? 1 / bandwidth : 0, arm.residual, arm.coulomb, arm.viscous}) {
     for (int i = 0; i < Monitor::kScales; ++i) {
       // White noise of a velocity, differentiated and averaged: over a time constant T alone its variance is that of the
       // velocity over T^2; the observer's filter comes first, and T averages over 2 T / dt of its values.
@@ -74,6 +78,7 @@ class ContactWatch {
       moved_[j] = std::max(Scalar(kMoved) * moved_[j], std::abs(change[j]));
       changed_ = changed_ || std::abs(change[j]) > monitor_.state().threshold[j];
     }
+    monitor_.expect_friction(Scalar(1) - belief.sensing[static_cast<std::size_t>(Sensing::LinkSide)]);
     monitor_.judge(settled, block.end - static_cast<double>(block.duration));
     expect(block, belief, settled && (!same || monitor_.state().contact));
     if (same)
