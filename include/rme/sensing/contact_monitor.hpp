@@ -115,7 +115,8 @@ class ContactMonitor {
   static constexpr double kQuiet = 0.02;    // how long the statistic has to be usual at the end of a contact [s]
   // After a contact its tail is still in the averages, and the arm swings back: for a while the means follow quickly, and
   // only a residual twice as large as usual is another contact.
-  static constexpr double kSettle = 0.1, kQuick = 0.03;  // how long, and the time constant [s]
+  // The averages lag by up to 25 ms, so that seven time constants leave less than 1 % of their change in the means.
+  static constexpr double kSettle = 0.2, kQuick = 0.03;  // how long, and the time constant [s]
   static constexpr double kAgain = 4;                    // threshold of the statistic meanwhile, relative to the usual
   static constexpr double kChange = 0.1;    // memory of dq, whose difference from it is the change of speed [s]
   static constexpr double kStill = 0.02;    // speed of a joint below which it turns over [rad/s]
