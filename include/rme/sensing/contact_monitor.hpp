@@ -57,14 +57,23 @@ class ContactMonitor {
     explained_ = explained && state_.contact && begin - explained_since_ >= kPatience;
   }
   /// The same payload is known better: residual and mean change together, unless there is a contact.
-  /// @param change  of what is explained
-  void refine(const Vector& change) noexcept {
-    for (Scale& s : scales_) {
+  /// @param change  of what is explained now
+  /// @param usual   of what was explained on average over the means of the scales
+  void refine(const Vector& change, const Vector (&usual)[kScales]) noexcept {
+    for (int i = 0; i < kScales; ++i) {
+      Scale& s = scales_[i];
       s.average -= change;
       if (state_.contact) continue;
-      s.mean -= change;
+      s.mean -= usual[i];
       s.usual -= change;
     }
+  }
+  /// How far a mean follows in a time.
+  /// @param scale  0 or 1
+  /// @param dt     [s]
+  Scalar following(int scale, double dt) const noexcept {
+    if (state_.contact) return explained_ ? blend(dt, Scalar(kFollow)) : Scalar(0);
+    return blend(dt, settle_ > 0 ? Scalar(kQuick) : scales_[scale].slow);
   }
   /// The payload is another one: the residual changes. Without a contact, the mean becomes what the residual shows, as
   /// far as the payload's errors leave it open.
@@ -207,7 +216,7 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
     }
   }
   watched_ += dt;
-  const bool contact = state_.contact, learns = !contact || explained_;
+  const bool contact = state_.contact;
   age_ = contact ? age_ + dt : 0;
   Scalar speed = Scalar(0), change = Scalar(0), moved = Scalar(0);
   detail::add_scaled(slow_dq_, blend(dt, Scalar(kChange)), detail::difference(dq, slow_dq_));
@@ -232,7 +241,7 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
   const Vector stuck = friction_.variance(friction_share_);
   for (Scale& s : scales_) {
     detail::add_scaled(s.average, blend(dt, s.smooth), detail::difference(unexplained, s.average));
-    const Scalar follow = blend(dt, contact ? Scalar(kFollow) : settle_ > 0 ? Scalar(kQuick) : s.slow);
+    const Scalar follow = following(static_cast<int>(&s - scales_), dt);
     Scalar statistic = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
       Scalar v = s.part[0][j];
@@ -241,7 +250,7 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
       s.variance[j] = doubt * v + stuck[j] + s.loose[j];
       const Scalar e = s.average[j] - s.mean[j];
       statistic += e * e / s.variance[j];
-      if (learns) s.mean[j] += follow * e;
+      s.mean[j] += follow * e;
     }
     s.statistic = statistic;
     largest = std::max(largest, statistic / s.threshold.threshold());
@@ -270,7 +279,8 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
       for (Scale& s : scales_) learn(s);
       if (!state_.contact) {
         friction_.learn(residual);
-        refine(detail::difference(friction_.torque(), friction));
+        const Vector change = detail::difference(friction_.torque(), friction);
+        refine(change, {change, change});
       }
     }
   }

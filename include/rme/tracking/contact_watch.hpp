@@ -28,6 +28,7 @@ template <typename Scalar, int Dofs>
 class ContactWatch {
   using Monitor = ContactMonitor<Scalar, Dofs>;
   using Averager = BlockAverager<Scalar, Dofs>;
+  using Regressor = typename ExplainedTorque<Scalar, Dofs>::Regressor;
 
  public:
   using Vector = JointVector<Scalar, Dofs>;  ///< joint torque [N m]
@@ -59,7 +60,10 @@ class ContactWatch {
   /// @param time    of this sample [s]
   void update(const Proprioception<Scalar, Dofs>& sample, double dt, double time) noexcept {
     explained_.update(sample, dt);
-    monitor_.update(detail::difference(sample.tau_ext, explained_.torque()), sample.jacobian, sample.dq, dt, time);
+    const Vector explained = detail::product(explained_.regressor(), phi_);
+    monitor_.update(detail::difference(sample.tau_ext, explained), sample.jacobian, sample.dq, dt, time);
+    since_expected_ += dt;
+    if (since_expected_ >= kExpect - 1e-9) expect();
   }
   /// Takes over what the tracker makes of a block.
   /// @param block   the block
@@ -73,23 +77,31 @@ class ContactWatch {
     const bool same = settled_ && settled && p[Mode::Pouring] < Scalar(0.5);
     settled_ = settled;
     Vector change = Vector::Zero();
-    if (settled) change = explained_.become(body(belief));
+    InertialVector<Scalar> step = InertialVector<Scalar>::Zero();
+    if (settled) {
+      step = detail::difference(body(belief), phi_);
+      change = detail::product(explained_.regressor(), step);
+      phi_ += step;
+    }
     for (int j = 0; j < Dofs; ++j) {
       moved_[j] = std::max(Scalar(kMoved) * moved_[j], std::abs(change[j]));
       changed_ = changed_ || std::abs(change[j]) > monitor_.state().threshold[j];
     }
     monitor_.expect_friction(Scalar(1) - belief.sensing[static_cast<std::size_t>(Sensing::LinkSide)]);
     monitor_.judge(settled, block.end - static_cast<double>(block.duration));
-    expect(block, belief, settled && (!same || monitor_.state().contact));
+    know(block, belief);
+    if (settled && (!same || monitor_.state().contact))
+      for (Regressor& r : usual_) r.setZero();  // no mean has taken in any of a new payload's errors
+    expect();
     if (same)
-      monitor_.refine(change);
+      monitor_.refine(change, {detail::product(usual_[0], step), detail::product(usual_[1], step)});
     else
       monitor_.replace(change);
     decide(events, p[Mode::Disturbed] > Scalar(0.5), block.end);
   }
   /// The host says something of the payload, and the tracker believes it: tau_ext may change at once.
   void told(const TrackerBelief<Scalar>& belief) noexcept {
-    explained_.become(body(belief));
+    phi_ = body(belief);
     interrupt();
     monitor_.reopen();
   }
@@ -108,6 +120,7 @@ class ContactWatch {
   static constexpr double kMoved = 0.8;    // share of the last changes of the explanation that is kept per block
   // The tracker is behind by half a block, its computation and the next block: nearly two blocks.
   static constexpr double kBehind = 2;
+  static constexpr double kExpect = 0.005;  // time between two computations of what the payload's errors may show [s]
   static constexpr double kKeep = 0.999;    // share of a payload's noise that is kept per block after it is gone
   static constexpr double kPatience = 0.5;  // how long after a contact an event may still be found that explains it [s]
 
@@ -118,11 +131,10 @@ class ContactWatch {
     return phi;
   }
 
-  /// What the errors of the payload's parameters add to the variance of the residual, (T62).
-  /// @param fresh  the payload may be another one since this block: no mean has taken in any of its errors
-  void expect(const TorqueBlock<Scalar, Dofs>& block, const TrackerBelief<Scalar>& belief, bool fresh) noexcept {
-    Vector known[Monitor::kScales];
+  /// What is known of the payload's errors after a block.
+  void know(const TorqueBlock<Scalar, Dofs>& block, const TrackerBelief<Scalar>& belief) noexcept {
     const Scalar held = Scalar(1) - belief.empty;
+    covariance_ = detail::scaled(held, belief.payload.covariance);
     Vector noise;  // of the acceleration, made by a mass at the flange
     for (int j = 0; j < Dofs; ++j) {
       noise[j] = Scalar(0);
@@ -133,25 +145,24 @@ class ContactWatch {
       }
       noise[j] *= held * belief.payload.mean[0] * belief.payload.mean[0];
     }
+    // Kept for a while: what the arm has shown with a payload is not what it shows without.
+    for (int i = 0; i < Monitor::kScales; ++i)
+      noise_[i] = detail::scaled(Scalar(kKeep), noise_[i]).cwiseMax(detail::scaled(noise_gain_[i], noise));
+  }
+  /// What the errors of the payload add to the variance of the residual, (T62). A mean has taken in the error that is the
+  /// same all the time: what counts is how the regressor differs from its own mean.
+  void expect() noexcept {
+    Vector known[Monitor::kScales];
     for (int i = 0; i < Monitor::kScales; ++i) {
+      const Regressor change = detail::difference(explained_.regressor(), usual_[i]);
+      detail::add_scaled(usual_[i], monitor_.following(i, since_expected_), change);
       for (int j = 0; j < Dofs; ++j) {
         const Scalar behind = Scalar(kBehind) * moved_[j];
-        known[i][j] = behind * behind;
-      }
-      // Kept for a while: what the arm has shown with a payload is not what it shows without.
-      noise_[i] = detail::scaled(Scalar(kKeep), noise_[i]).cwiseMax(detail::scaled(noise_gain_[i], noise));
-      // The mean has taken in the error that is the same all the time: what counts is how the regressor has changed.
-      if (regressors_ == 0) regressor_[i] = block.regressor;
-      if (fresh) regressor_[i].setZero();
-      const Regressor change = detail::difference(block.regressor, regressor_[i]);
-      const auto time = static_cast<Scalar>(Monitor::kMean[i]);
-      detail::add_scaled(regressor_[i], block.duration / (block.duration + time), change);
-      for (int j = 0; j < Dofs && held > Scalar(0.01); ++j) {
         const InertialVector<Scalar> row = change.row(j).transpose();
-        known[i][j] += held * std::max(Scalar(0), detail::dot(row, detail::product(belief.payload.covariance, row)));
+        known[i][j] = behind * behind + std::max(Scalar(0), detail::dot(row, detail::product(covariance_, row)));
       }
     }
-    regressors_ = 1;
+    since_expected_ = 0;
     monitor_.expect(known, noise_);
   }
 
@@ -181,15 +192,16 @@ class ContactWatch {
     monitor_.decide(cause);
   }
 
-  using Regressor = Eigen::Matrix<Scalar, Dofs, kInertial>;
   ExplainedTorque<Scalar, Dofs> explained_;
+  InertialVector<Scalar> phi_ = InertialVector<Scalar>::Zero();
   Monitor monitor_;
   Scalar noise_gain_[Monitor::kScales];
-  Regressor regressor_[Monitor::kScales];                              // slow means of the blocks' regressors
+  Regressor usual_[Monitor::kScales] = {Regressor::Zero(), Regressor::Zero()};  // means, as those of the residual
+  Eigen::Matrix<Scalar, kInertial, kInertial> covariance_ = Eigen::Matrix<Scalar, kInertial, kInertial>::Zero();
+  double since_expected_ = 0;  // [s]
   Vector noise_[Monitor::kScales] = {Vector::Zero(), Vector::Zero()};  // of the acceleration [(N m)^2]
   Vector moved_ = Vector::Zero();                                      // last changes of the explanation [N m]
   bool settled_ = true;                                                // payload and arm explained the last block
-  int regressors_ = 0;
   int number_ = 0;          // of the contact that disturbed_ belongs to
   bool disturbed_ = false;  // a block was disturbed during the contact
   bool changed_ = false;    // the payload that explains the torque has changed since the contact began
