@@ -49,7 +49,8 @@ void bind_contact(py::module_& module) {
   py::class_<Contact> contact(
       module, "Contact",
       "What acts on the arm and is explained neither by the payload nor by what the arm has shown so far\n"
-      "(docs/contact.md). Estimator.contact shows the estimator's own numbers: they change with each update, and so do\n"
+      "(docs/contact.md). Estimator.contact shows the estimator's own numbers: they change with each update, and so "
+      "do\n"
       "the arrays, which are read-only NumPy views.");
   contact.def_property_readonly(
       "ready", [](const Contact& self) { return self.values->ready; },

@@ -80,7 +80,8 @@ TEST_CASE("ExplainedTorque: the flange's acceleration is the difference of J dq,
   CHECK((explained.regressor() * body() - at(Vector3d::Zero(), Vector3d::Zero())).norm() < 1e-10);
 }
 
-TEST_CASE("ExplainedTorque: a body at rest shows its weight at once, and nothing before the first sample", "[contact]") {
+TEST_CASE("ExplainedTorque: a body at rest shows its weight at once, and nothing before the first sample",
+          "[contact]") {
   Explained explained(50, 1e-3, {0, 0, -9.81});
   CHECK(explained.regressor().isZero(0));
   const Sample sample = sample_at(panda().ready);

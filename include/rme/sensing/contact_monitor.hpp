@@ -279,8 +279,8 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
       for (Scale& s : scales_) learn(s);
       if (!state_.contact) {
         friction_.learn(residual);
-        const Vector change = detail::difference(friction_.torque(), friction);
-        refine(change, {change, change});
+        const Vector step = detail::difference(friction_.torque(), friction);
+        refine(step, {step, step});
       }
     }
   }

@@ -21,8 +21,7 @@ template <typename Scalar, int Degrees>
 class ExtremeThreshold {
  public:
   /// @param per_window  stated probability that the threshold is exceeded in a window, above 0 and below 1
-  explicit ExtremeThreshold(double per_window) noexcept
-      : reach_(kTail * (std::pow(per_window, -1.0 / kTail) - 1)) {
+  explicit ExtremeThreshold(double per_window) noexcept : reach_(kTail * (std::pow(per_window, -1.0 / kTail) - 1)) {
     // Wilson and Hilferty's quantiles of chi-square. The largest of 50 independent numbers is below mu with
     // probability 1 / e, and below mu + beta with exp(-1 / e).
     const auto quantile = [](double z) {

@@ -198,13 +198,13 @@ class ContactWatch {
   Scalar noise_gain_[Monitor::kScales];
   Regressor usual_[Monitor::kScales] = {Regressor::Zero(), Regressor::Zero()};  // means, as those of the residual
   Eigen::Matrix<Scalar, kInertial, kInertial> covariance_ = Eigen::Matrix<Scalar, kInertial, kInertial>::Zero();
-  double since_expected_ = 0;  // [s]
+  double since_expected_ = 0;                                          // [s]
   Vector noise_[Monitor::kScales] = {Vector::Zero(), Vector::Zero()};  // of the acceleration [(N m)^2]
   Vector moved_ = Vector::Zero();                                      // last changes of the explanation [N m]
   bool settled_ = true;                                                // payload and arm explained the last block
-  int number_ = 0;          // of the contact that disturbed_ belongs to
-  bool disturbed_ = false;  // a block was disturbed during the contact
-  bool changed_ = false;    // the payload that explains the torque has changed since the contact began
+  int number_ = 0;                                                     // of the contact that disturbed_ belongs to
+  bool disturbed_ = false;                                             // a block was disturbed during the contact
+  bool changed_ = false;  // the payload that explains the torque has changed since the contact began
 };
 
 }  // namespace rme
