@@ -54,7 +54,11 @@ class ExplainedTorque {
     last_twist_ = twist;
     const Eigen::Matrix<Scalar, 6, kInertial> wrench =
         inertial_wrench_regressor<Scalar>(sample.rotation, gravity_, motion);
-    const Regressor now = detail::transposed_product(sample.jacobian, wrench);
+    const Eigen::Matrix<Scalar, Dofs, 6> transposed = sample.jacobian.transpose();
+    Regressor now = Regressor::Zero();
+    for (int i = 0; i < kInertial; ++i)  // an inertia makes no force
+      for (int k = i < 4 ? 0 : 3; k < 6; ++k)
+        detail::column(now, i) += detail::column(transposed, k) * wrench.coeff(k, i);
     if (started_)
       detail::add_scaled(regressor_, blend_, detail::difference(now, regressor_));
     else
