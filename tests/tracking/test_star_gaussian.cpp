@@ -479,39 +479,6 @@ TEST_CASE("StarGaussian: finite looks at every part", "[star]") {
   }
 }
 
-TEST_CASE("StarGaussian: factorise gives a factor of singular matrices too, none of rounding, and of NaN none",
-          "[star]") {
-  const unsigned seed = 516;
-  CAPTURE(seed);
-  std::mt19937 random(seed);
-  using Matrix10 = rme::InertialMatrix<double>;
-  for (int rank = 0; rank <= kInertial; ++rank) {
-    CAPTURE(rank);
-    const Matrix G = oracle::random_matrix(random, kInertial, rank);
-    Matrix scale = Matrix::Identity(kInertial, kInertial);
-    for (int i = 4; i < kInertial; ++i) scale(i, i) = 1e-4;  // kilograms beside kilogram square metres
-    const Matrix10 P = oracle::congruence(scale, oracle::square(G));
-    Matrix10 L = Matrix10::Constant(7);
-    REQUIRE(Star::factorise(P, L));
-    CHECK(L.isLowerTriangular(0));
-    if (rank == 1) CHECK((L.diagonal().array() > 0).count() == 1);
-    // Entry by entry, relative to the diagonal's scale.
-    const Matrix off = oracle::square(L) - P;
-    for (int i = 0; i < kInertial; ++i)
-      for (int k = 0; k < kInertial; ++k) CHECK(std::abs(off(i, k)) <= 1e-13 * std::sqrt(P(i, i) * P(k, k)));
-  }
-  // A direction of which P says nothing: a mass that is known exactly.
-  Matrix10 P = Matrix10::Identity(), L;
-  P.row(0).setZero();
-  P.col(0).setZero();
-  REQUIRE(Star::factorise(P, L));
-  CHECK(L == P);
-  P(3, 3) = std::numeric_limits<double>::quiet_NaN();
-  const Matrix10 before = L;
-  CHECK_FALSE(Star::factorise(P, L));
-  CHECK(L == before);
-}
-
 /// One joint's random walk, seen through noise: the Riccati equation's fixed point is a root of P^2 + q P - q r.
 template <typename Scalar>
 void check_steady_state(double tolerance) {
