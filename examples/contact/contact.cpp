@@ -22,10 +22,9 @@ using namespace rme::examples;
 using Eigen::Vector3d;
 using Joints = rme::JointVector<double, 7>;
 
-constexpr double kPeriod = 1e-3, kAttach = 1, kMove = 2, kFirstPush = 60;  // [s]
-constexpr double kPush = 0.3, kJudged = 1.3;  // duration of a push, and when it is judged after its onset [s]
-constexpr double kFrequency = 0.5;            // of the path [Hz]
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPeriod = 1e-3, kFirstPush = 60;  // [s]
+constexpr double kPush = 0.3, kJudged = 1.3;       // duration of a push, and when it is judged after its onset [s]
+constexpr double kAttach = CarryingArm::kAttach, kMove = CarryingArm::kMove;
 
 constexpr const char* kUsage = R"(usage: rme_contact [options]
 
@@ -106,18 +105,6 @@ struct Result {
   std::array<Row, 4> rows = {Row{2, false}, Row{5, false}, Row{10, false}, Row{10, true}};
 };
 
-PoseTarget path(const Kinematics<7>& home, double t) {
-  PoseTarget target{home.position, home.rotation};
-  if (t < kMove) return target;
-  const double omega = 2 * kPi * kFrequency, s = t - kMove, grown = std::min(1.0, s / 2);
-  const Vector3d way(0.03, 0.10, 0.06), axis(0.6, 0.0, 0.8);
-  target.position += grown * std::sin(omega * s) * way;
-  target.velocity = grown * omega * std::cos(omega * s) * way;
-  target.rotation = Eigen::AngleAxisd(grown * 0.35 * std::sin(0.83 * omega * s), axis) * home.rotation;
-  target.angular_velocity = grown * 0.35 * 0.83 * omega * std::cos(0.83 * omega * s) * axis;
-  return target;
-}
-
 /// @param mass    of the payload [kg]; 0 for none
 /// @param pushes  how many; without any, a minute is simulated
 Result run_arm(const Options& options, double mass, std::size_t pushes) {
@@ -142,9 +129,8 @@ Result run_arm(const Options& options, double mass, std::size_t pushes) {
   torque_at_elbow().setZero();
   while (pushes > 0 ? done < pushes : arm.time() < kFirstPush) {
     const double t = arm.time();
-    if (!attached && mass > 0 && t > kAttach)
-      attached = arm.attach(box(mass, {0.03, 0.02, 0.10}, {0.06, 0.06, 0.1})) > 0;
-    controller.follow(path(home, t));
+    if (!attached && mass > 0 && t > kAttach) attached = arm.attach(CarryingArm::payload(mass)) > 0;
+    controller.follow(CarryingArm::path(home, t));
     const auto& [position, rotation, jacobian] = arm.kinematics();
     const rme::Status status = estimator->update({arm.tau_ext(), jacobian, rotation, arm.dq()});
     if (status != rme::Status::Ok) throw std::runtime_error(to_string(status));
