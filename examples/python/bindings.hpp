@@ -5,6 +5,7 @@
 #include <rme/core/status.hpp>
 #include <rme/estimator_config.hpp>
 #include <rme/estimator_state.hpp>
+#include <rme/sensing/contact_state.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -73,6 +74,13 @@ struct State {
   py::array inertial_mean, inertial_covariance, probability, sensing, tool;
 };
 
+/// The ContactState of an estimator, whose numbers change with it.
+struct Contact {
+  explicit Contact(std::shared_ptr<const ContactState<double, Eigen::Dynamic>> contact);
+  std::shared_ptr<const ContactState<double, Eigen::Dynamic>> values;
+  py::array residual, variance, threshold, force, moment, wrench_covariance, link;
+};
+
 using Config = EstimatorConfig<double, Eigen::Dynamic>;
 /// The settings of a Python EstimatorConfig.
 Config config_of(py::handle python);
@@ -84,6 +92,7 @@ PayloadPrior<double> payload_prior_of(py::handle python, const char* field);
 void bind_enums(py::module_& module);
 void bind_settings(py::module_& module);
 void bind_state(py::module_& module);
+void bind_contact(py::module_& module);
 void bind_estimator(py::module_& module);
 void bind_host_parts(py::module_& module);  // host_parts.cpp: the ramp and the observer
 void bind_catalogue(py::module_& module);

@@ -58,10 +58,12 @@ class PythonEstimator {
 
   PythonEstimator(int joints, double dt, const Config& config)
       : estimator_(std::make_shared<Runtime>(joints, dt, config)),
-        state_(py::cast(State({estimator_, &estimator_->state()}))) {}
+        state_(py::cast(State({estimator_, &estimator_->state()}))),
+        contact_(py::cast(Contact({estimator_, &estimator_->contact()}))) {}
 
   int joints() const { return estimator_->joints(); }
   const py::object& state() const { return state_; }
+  const py::object& contact() const { return contact_; }
   const std::string& refusal() const { return refusal_; }
 
   py::object update(const py::object& tau_ext, const py::object& jacobian, const py::object& rotation,
@@ -156,7 +158,7 @@ class PythonEstimator {
   }
 
   std::shared_ptr<Runtime> estimator_;
-  py::object state_;
+  py::object state_, contact_;
   std::string refusal_;
   bool in_use_ = false;
 };
@@ -229,6 +231,8 @@ void bind_estimator(py::module_& module) {
       "says why. Raises ValueError or TypeError for arrays of another shape or of no numbers.");
   estimator.def_property_readonly("state", &PythonEstimator::state,
                                   "The EstimatorState: always the same object, which shows the present estimate.");
+  estimator.def_property_readonly("contact", &PythonEstimator::contact,
+                                  "The Contact: always the same object, which shows what touches the arm now.");
   estimator.def_property_readonly(
       "refusal", &PythonEstimator::refusal,
       "Which field of the last sample was refused, what was expected and what came; empty if\n"

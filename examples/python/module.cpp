@@ -76,6 +76,16 @@ void bind_enums(py::module_& module) {
        {"Filling", EventKind::Filling},
        {"Pushed", EventKind::Pushed},
        {"Moved", EventKind::Moved}});
+  PythonEnum<ContactCause>::define(
+      module, "ContactCause",
+      "What a contact turned out to be.\n\n"
+      "Undecided: it goes on, or is not decided yet. Contact: something touched the arm. Payload:\n"
+      "the payload was attached, exchanged, removed or filled. Arm: it lasts, and is taken for an\n"
+      "error of the arm's own model or for a small payload.",
+      {{"Undecided", ContactCause::Undecided},
+       {"Contact", ContactCause::Contact},
+       {"Payload", ContactCause::Payload},
+       {"Arm", ContactCause::Arm}});
   PythonEnum<Holding>::define(
       module, "Holding",
       "What an ObjectCatalogue can say of a hand.\n\n"
@@ -108,6 +118,7 @@ PYBIND11_MODULE(rme, module) {
   bind_enums(module);
   bind_settings(module);
   bind_state(module);
+  bind_contact(module);
   bind_estimator(module);
   bind_host_parts(module);
   bind_catalogue(module);

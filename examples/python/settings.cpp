@@ -198,27 +198,29 @@ void bind_settings(py::module_& module) {
       module, "EstimatorConfig",
       "Settings of an Estimator; the defaults suit a Franka Panda. docs/tuning.md says how to\n"
       "find each. Ranges are checked when an Estimator is made of them.");
-  config.def(py::init([](const py::object& gravity, const py::object& torque_sign, const py::object& rated_payload,
-                         const py::object& observer_bandwidth, const py::object& sensing, const py::object& arm,
-                         const py::object& payload) {
-               PythonConfig self;
-               if (!gravity.is_none()) read(gravity, "EstimatorConfig.gravity", self.values->gravity);
-               if (!torque_sign.is_none())
-                 self.values->torque_sign =
-                     PythonEnum<TorqueSign>::value_of(torque_sign, "EstimatorConfig.torque_sign");
-               if (!rated_payload.is_none())
-                 self.values->rated_payload = number(rated_payload, "EstimatorConfig.rated_payload");
-               if (!observer_bandwidth.is_none())
-                 self.values->observer_bandwidth = number(observer_bandwidth, "EstimatorConfig.observer_bandwidth");
-               set_sensing(self, sensing);
-               set_arm(self, arm);
-               set_payload(self, payload);
-               return self;
-             }),
-             py::kw_only(), py::arg("gravity") = py::none(), py::arg("torque_sign") = py::none(),
-             py::arg("rated_payload") = py::none(), py::arg("observer_bandwidth") = py::none(),
-             py::arg("sensing") = py::none(), py::arg("arm") = py::none(), py::arg("payload") = py::none(),
-             "With the settings that are given, and the defaults for all others.");
+  config.def(
+      py::init([](const py::object& gravity, const py::object& torque_sign, const py::object& rated_payload,
+                  const py::object& observer_bandwidth, const py::object& contact_false_alarms,
+                  const py::object& sensing, const py::object& arm, const py::object& payload) {
+        PythonConfig self;
+        if (!gravity.is_none()) read(gravity, "EstimatorConfig.gravity", self.values->gravity);
+        if (!torque_sign.is_none())
+          self.values->torque_sign = PythonEnum<TorqueSign>::value_of(torque_sign, "EstimatorConfig.torque_sign");
+        if (!rated_payload.is_none())
+          self.values->rated_payload = number(rated_payload, "EstimatorConfig.rated_payload");
+        if (!observer_bandwidth.is_none())
+          self.values->observer_bandwidth = number(observer_bandwidth, "EstimatorConfig.observer_bandwidth");
+        if (!contact_false_alarms.is_none())
+          self.values->contact_false_alarms = number(contact_false_alarms, "EstimatorConfig.contact_false_alarms");
+        set_sensing(self, sensing);
+        set_arm(self, arm);
+        set_payload(self, payload);
+        return self;
+      }),
+      py::kw_only(), py::arg("gravity") = py::none(), py::arg("torque_sign") = py::none(),
+      py::arg("rated_payload") = py::none(), py::arg("observer_bandwidth") = py::none(),
+      py::arg("contact_false_alarms") = py::none(), py::arg("sensing") = py::none(), py::arg("arm") = py::none(),
+      py::arg("payload") = py::none(), "With the settings that are given, and the defaults for all others.");
   add_view(config, "gravity", "EstimatorConfig.gravity",
            "Gravity in world axes [m/s^2], default (0, 0, -9.81): a NumPy view.",
            [](PythonConfig& self) -> Vector3<double>& { return self.values->gravity; });
@@ -237,6 +239,9 @@ void bind_settings(py::module_& module) {
              "Bandwidth of the first-order filter through which tau_ext comes [rad/s], default 50; 0 if the torque is\n"
              "unfiltered. The filter is assumed to run at 1 kHz.",
              [](PythonConfig& self) -> double& { return self.values->observer_bandwidth; });
+  add_number(config, "contact_false_alarms", "EstimatorConfig.contact_false_alarms",
+             "How often a contact may be noticed while nothing touches the arm [1/h], default 0.1.",
+             [](PythonConfig& self) -> double& { return self.values->contact_false_alarms; });
   config.def_property(
       "sensing",
       [](const PythonConfig& self) {

@@ -12,8 +12,10 @@
 #include <rme/core/types.hpp>
 #include <rme/estimator_config.hpp>
 #include <rme/estimator_state.hpp>
+#include <rme/sensing/contact_state.hpp>
 #include <rme/sensing/proprioception.hpp>
 #include <rme/sensing/stale_torque.hpp>
+#include <rme/tracking/contact_watch.hpp>
 #include <rme/tracking/inertial_parameters.hpp>
 #include <rme/tracking/removal_guard.hpp>
 #include <rme/tracking/torque_block.hpp>
@@ -56,6 +58,9 @@ class Estimator {
   Status update(const Proprioception<Scalar, Dofs>& sample) noexcept;
   /// The current estimate, and what happens to the payload.
   const EstimatorState<Scalar>& state() const noexcept { return state_; }
+  /// What acts on the arm and is explained neither by the payload nor by what the arm has shown so far: each tick
+  /// (docs/contact.md). An object that is put into the hand is a contact, too, until it is known as payload.
+  const ContactState<Scalar, Dofs>& contact() const noexcept { return watch_.state(); }
 
   /// The joint torque that carries the payload, to be added to the command [N m], Dofs x 1 (docs/theory.md (T34)):
   ///
@@ -139,6 +144,7 @@ class Estimator {
   EventMonitor<Scalar> events_;
   StaleTorque<Scalar, Dofs> stale_;
   RemovalGuard<Scalar, Dofs> guard_;
+  ContactWatch<Scalar, Dofs> watch_;
   EstimatorState<Scalar> state_;
   Vector4<Scalar> carried_ = Vector4<Scalar>::Zero();                 // (m, r) of body()
   Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();  // of the last good sample
@@ -155,7 +161,9 @@ Estimator<Scalar, Dofs>::Estimator(double dt, const Config& config)
       payload_prior_(config.payload.value_or(PayloadPrior<Scalar>::of(config.rated_payload))),
       averager_(config.observer_bandwidth, config.gravity),
       tracker_(config.arm.value_or(ArmPrior<Scalar, Dofs>::of(config.rated_payload)), payload_prior_,
-               config.rated_payload, config.sensing, config.gravity) {
+               config.rated_payload, config.sensing, config.gravity),
+      watch_(config.contact_false_alarms, config.arm.value_or(ArmPrior<Scalar, Dofs>::of(config.rated_payload)),
+             config.observer_bandwidth, config.gravity, dt) {
   // A block is processed in a quarter of the ticks until the next one, so that the estimate is soon up to date.
   const int ticks = static_cast<int>(BlockAverager<Scalar, Dofs>::kDuration / dt / 4);
   steps_per_tick_ = ticks > 1 ? kChildren / ticks + 1 : kManyChildren;
@@ -181,6 +189,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   state_.time += dt;
   if (!stale_.update(in.tau_ext, in.dq, dt)) {
     averager_.clear();
+    watch_.interrupt();
     process();
     forget(dt);
     return Status::NotAMeasurement;
@@ -191,6 +200,8 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   const Vector6<Scalar> weight =
       payload_wrench(Payload<Scalar>::from_vector(carried_), in.rotation, config_.gravity).vector();
   guard_.update(averager_.torque(), Torque(detail::transposed_product(in.jacobian, weight)), static_cast<Scalar>(dt));
+  watch_.update(sample, dt, state_.time);
+  if (contact_) watch_.hold();
   expected_ = std::max(0.0, expected_ - dt);
   // With a Jacobian of zeros, tau_ext does not depend on the payload.
   if (complete && !contact_ && in.jacobian.squaredNorm() > 0) tracker_.begin(averager_.block(), expected_ > 0);
@@ -208,6 +219,7 @@ void Estimator<Scalar, Dofs>::process() noexcept {
     events_.update(state_.probability, block.end - static_cast<double>(block.duration), block.end, state_.time,
                    state_.payload);
     state_.updated = block.end;
+    watch_.judge(block, tracker_.belief(), events_);
     if (state_.probability[Mode::Held] + state_.probability[Mode::Pouring] > Scalar(0.9))
       guard_.learn(detail::difference(block.tau, detail::product(block.regressor, state_.inertial.mean)));
   }
@@ -283,6 +295,7 @@ void Estimator<Scalar, Dofs>::declare_empty() noexcept {
   averager_.clear();  // a load that the robot has taken over changes tau_ext at once, not through the observer
   events_.believe(true);
   publish();
+  watch_.told(tracker_.belief());
 }
 
 template <typename Scalar, int Dofs>
@@ -290,6 +303,7 @@ void Estimator<Scalar, Dofs>::tare() noexcept {
   tracker_.tare();
   events_.believe(true);
   publish();
+  watch_.told(tracker_.belief());
 }
 
 template <typename Scalar, int Dofs>
@@ -302,6 +316,7 @@ Status Estimator<Scalar, Dofs>::set_payload(const PayloadGaussian<Scalar>& paylo
   averager_.clear();
   events_.believe(false);
   publish();
+  watch_.told(tracker_.belief());
   return Status::Ok;
 }
 

@@ -22,6 +22,9 @@ struct EstimatorConfig {
   /// Bandwidth of the first-order filter through which tau_ext comes [rad/s]: the gain K of the arm's momentum
   /// observer, 1 to 100,000; 0 if the torque is unfiltered. The filter is assumed to run at 1 kHz.
   double observer_bandwidth = 50;
+  /// How often contact().contact may become true while nothing touches the arm and nothing is put into the hand [1/h],
+  /// 0.001 to 1,000: once in ten hours. Its threshold follows from this and from what the arm has shown.
+  double contact_false_alarms = 0.1;
   /// Kind of torque sensing, if it is known. Otherwise the estimator finds it out, for which the arm has to move.
   std::optional<Sensing> sensing = std::nullopt;
   /// Sizes of the joints' noise, offset, residual and friction, if they are known better than in
@@ -49,6 +52,8 @@ void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
                   "above 0 and at most 10,000 kg", rated_payload);
   detail::require(observer_bandwidth == 0 || (observer_bandwidth >= 1 && observer_bandwidth <= 1e5),
                   "EstimatorConfig::observer_bandwidth", "0 or 1 to 100,000 rad/s", observer_bandwidth);
+  detail::require(contact_false_alarms >= 1e-3 && contact_false_alarms <= 1e3, "EstimatorConfig::contact_false_alarms",
+                  "0.001 to 1,000 per hour", contact_false_alarms);
   const auto positive = [](const auto& v, const char* field, const char* expected) {
     for (int i = 0; i < v.size(); ++i)
       detail::require(v[i] > 0 && v[i] <= Scalar(kLargestPlausible), field, expected, v[i]);

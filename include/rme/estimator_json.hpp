@@ -17,7 +17,7 @@ namespace rme {
 /// fields.
 ///
 ///     {"rated_payload": 12.5, "observer_bandwidth": 0, "torque_sign": "reaction", "sensing": "joint_friction",
-///      "gravity": [0, 0, -9.81],
+///      "contact_false_alarms": 0.1, "gravity": [0, 0, -9.81],
 ///      "arm": {"noise": [..], "offset": [..], "residual": [..], "coulomb": [..], "viscous": [..]},
 ///      "payload": {"mass_mean": 1, "mass_std": 1, "com_mean": [0, 0, 0.1], "com_std": [0.06, 0.06, 0.07]}}
 ///
@@ -112,9 +112,9 @@ template <typename Scalar, int Dofs>
 EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& object) {
   using Vector = JointVector<Scalar, Dofs>;
   EstimatorConfig<Scalar, Dofs> config;
-  const detail::SettingsReader reader(
-      object, "",
-      {"gravity", "torque_sign", "rated_payload", "observer_bandwidth", "sensing", "arm", "payload", "model"});
+  const detail::SettingsReader reader(object, "",
+                                      {"gravity", "torque_sign", "rated_payload", "observer_bandwidth",
+                                       "contact_false_alarms", "sensing", "arm", "payload", "model"});
   if (const auto* v = reader.find("gravity")) config.gravity = detail::read_vector<Vector3<Scalar>>(*v, "gravity");
   if (const auto* v = reader.find("torque_sign"))
     config.torque_sign = detail::read_name(*v, "torque_sign", detail::kSigns, detail::kSignNames);
@@ -122,6 +122,8 @@ EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& o
     config.rated_payload = detail::read_number<Scalar>(*v, "rated_payload");
   if (const auto* v = reader.find("observer_bandwidth"))
     config.observer_bandwidth = detail::read_number<double>(*v, "observer_bandwidth");
+  if (const auto* v = reader.find("contact_false_alarms"))
+    config.contact_false_alarms = detail::read_number<double>(*v, "contact_false_alarms");
   if (const auto* v = reader.find("sensing"))
     config.sensing = detail::read_name(*v, "sensing", detail::kSensingValues, detail::kSensingNames);
   if (const auto* v = reader.find("arm")) {
@@ -151,6 +153,7 @@ nlohmann::json estimator_config_to_json(const EstimatorConfig<Scalar, Dofs>& con
   out["torque_sign"] = detail::kSignNames[config.torque_sign == TorqueSign::External ? 0 : 1];
   out["rated_payload"] = config.rated_payload;
   out["observer_bandwidth"] = config.observer_bandwidth;
+  out["contact_false_alarms"] = config.contact_false_alarms;
   out["sensing"] = detail::kSensingNames[config.sensing ? static_cast<std::size_t>(*config.sensing) + 1 : 0];
   if (config.arm) {
     out["arm"] = {{"noise", detail::write_vector(config.arm->noise)},

@@ -38,6 +38,7 @@
 #include <rme/host/runtime_payload_compensation.hpp>
 #include <rme/inference/payload_gaussian.hpp>
 #include <rme/runtime_estimator.hpp>
+#include <rme/sensing/contact_state.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <rme/sensing/proprioception.hpp>
 #include <rme/sensing/torque_sign.hpp>

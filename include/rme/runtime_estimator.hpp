@@ -8,6 +8,7 @@
 #include <rme/estimator.hpp>
 #include <rme/estimator_config.hpp>
 #include <rme/estimator_state.hpp>
+#include <rme/sensing/contact_state.hpp>
 #include <rme/sensing/proprioception.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <type_traits>
@@ -26,6 +27,7 @@ EstimatorConfig<Scalar, Dofs> fixed_config(const EstimatorConfig<Scalar, Eigen::
   out.torque_sign = config.torque_sign;
   out.rated_payload = config.rated_payload;
   out.observer_bandwidth = config.observer_bandwidth;
+  out.contact_false_alarms = config.contact_false_alarms;
   out.sensing = config.sensing;
   out.payload = config.payload;
   if (!config.arm) return out;
@@ -81,6 +83,7 @@ class RuntimeEstimator {
  public:
   using Vector = JointVector<Scalar, Eigen::Dynamic>;              ///< of joint torques or velocities
   using Config = EstimatorConfig<Scalar, Eigen::Dynamic>;          ///< its settings
+  using Contact = ContactState<Scalar, Eigen::Dynamic>;            ///< Estimator::contact()
   using GravityTorque = Eigen::Matrix<Scalar, Eigen::Dynamic, 3>;  ///< of Proprioception::gravity_torque
 
   /// @param joints  of the arm, Fewest to Most
@@ -90,7 +93,9 @@ class RuntimeEstimator {
   RuntimeEstimator(int joints, double dt, const Config& config = Config())
       : joints_(joints),
         any_(detail::make_any_dofs<Estimator, Scalar, Fewest, Most>(
-            "RuntimeEstimator", joints, dt, [&](auto count) { return detail::fixed_config<count>(config); })) {}
+            "RuntimeEstimator", joints, dt, [&](auto count) { return detail::fixed_config<count>(config); })) {
+    for (Vector* v : {&contact_.residual, &contact_.variance, &contact_.threshold, &contact_.link}) v->setZero(joints);
+  }
 
   /// The number of joints, as constructed.
   int joints() const noexcept { return joints_; }
@@ -120,7 +125,10 @@ class RuntimeEstimator {
           Proprioception<Scalar, dofs<decltype(estimator)>> sample;
           const Status status = detail::fill_sample<Scalar>(tau_ext, jacobian, rotation, dq, period, motion,
                                                             compensation, gravity_torque, sample);
-          return status == Status::Ok ? estimator.update(sample) : status;
+          if (status != Status::Ok) return status;
+          const Status out = estimator.update(sample);
+          copy(estimator.contact());
+          return out;
         },
         any_);
   }
@@ -128,6 +136,9 @@ class RuntimeEstimator {
   const EstimatorState<Scalar>& state() const noexcept {
     return std::visit([](const auto& e) -> const EstimatorState<Scalar>& { return e.state(); }, any_);
   }
+
+  /// What acts on the arm and is not explained: Estimator::contact().
+  const Contact& contact() const noexcept { return contact_; }
 
   /// The torque that carries the payload: Estimator::compensation().
   /// @param jacobian     J, 6 x joints()
@@ -168,17 +179,33 @@ class RuntimeEstimator {
 
   /// The host says that the hand is empty: Estimator::declare_empty().
   void declare_empty() noexcept {
-    std::visit([](auto& e) { e.declare_empty(); }, any_);
+    std::visit(
+        [this](auto& e) {
+          e.declare_empty();
+          copy(e.contact());
+        },
+        any_);
   }
   /// The host says what is held: Estimator::set_payload().
   /// @param payload  mass [kg] and centre of mass [m], end-effector axes
   /// @return Ok; NonFiniteInput: nothing is changed then
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept {
-    return std::visit([&](auto& e) { return e.set_payload(payload); }, any_);
+    return std::visit(
+        [&](auto& e) {
+          const Status status = e.set_payload(payload);
+          copy(e.contact());
+          return status;
+        },
+        any_);
   }
   /// The host says that what is held is tool: Estimator::tare().
   void tare() noexcept {
-    std::visit([](auto& e) { e.tare(); }, any_);
+    std::visit(
+        [this](auto& e) {
+          e.tare();
+          copy(e.contact());
+        },
+        any_);
   }
   /// The host says that the payload is about to change: Estimator::expect_change().
   void expect_change() noexcept {
@@ -190,14 +217,35 @@ class RuntimeEstimator {
   }
   /// Returns to the state after construction: Estimator::reset().
   void reset() noexcept {
-    std::visit([](auto& e) { e.reset(); }, any_);
+    std::visit(
+        [this](auto& e) {
+          e.reset();
+          copy(e.contact());
+        },
+        any_);
   }
 
  private:
   template <typename Reference>
   static constexpr int dofs = static_cast<int>(std::decay_t<Reference>::Torque::RowsAtCompileTime);
 
+  /// Into vectors that have the size already, so that nothing allocates.
+  template <int Dofs>
+  void copy(const ContactState<Scalar, Dofs>& from) noexcept {
+    contact_.ready = from.ready;
+    contact_.contact = from.contact;
+    contact_.statistic = from.statistic;
+    contact_.residual = from.residual;
+    contact_.variance = from.variance;
+    contact_.threshold = from.threshold;
+    contact_.wrench = from.wrench;
+    contact_.wrench_covariance = from.wrench_covariance;
+    contact_.link = from.link;
+    contact_.last = from.last;
+  }
+
   int joints_;
+  Contact contact_;
   detail::AnyDofs<Estimator, Scalar, Fewest, Most> any_;
 };
 

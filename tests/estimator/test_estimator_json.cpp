@@ -19,6 +19,7 @@ TEST_CASE("EstimatorConfig: what is written comes back the same", "[json]") {
   config.torque_sign = rme::TorqueSign::Reaction;
   config.rated_payload = 12.5;
   config.observer_bandwidth = 30;
+  config.contact_false_alarms = 2;
   config.sensing = rme::Sensing::JointFriction;
   config.arm = rme::ArmPrior<double, 7>::of(10);
   config.arm->noise << 1, 2, 3, 4, 5, 6, 7;
@@ -32,6 +33,7 @@ TEST_CASE("EstimatorConfig: what is written comes back the same", "[json]") {
   CHECK(back.torque_sign == config.torque_sign);
   CHECK(back.rated_payload == config.rated_payload);
   CHECK(back.observer_bandwidth == config.observer_bandwidth);
+  CHECK(back.contact_false_alarms == config.contact_false_alarms);
   CHECK(back.sensing == config.sensing);
   REQUIRE(back.arm);
   CHECK(back.arm->noise == config.arm->noise);

@@ -24,11 +24,33 @@ Proprioception<double, Dofs> sample_at(int tick) {
 }
 
 template <int Dofs>
+void check_same(const Runtime::Contact& a, const ContactState<double, Dofs>& b) {
+  REQUIRE(a.ready == b.ready);
+  REQUIRE(a.contact == b.contact);
+  REQUIRE(a.statistic == b.statistic);
+  REQUIRE(a.residual == b.residual);
+  REQUIRE(a.variance == b.variance);
+  REQUIRE(a.threshold == b.threshold);
+  REQUIRE(a.wrench.vector() == b.wrench.vector());
+  REQUIRE(a.wrench_covariance == b.wrench_covariance);
+  REQUIRE(a.link == b.link);
+  REQUIRE(a.likeliest_link() == b.likeliest_link());
+  REQUIRE(a.last.number == b.last.number);
+  REQUIRE(a.last.cause == b.last.cause);
+  REQUIRE(a.last.onset == b.last.onset);
+  REQUIRE(a.last.noticed == b.last.noticed);
+  REQUIRE(a.last.over == b.last.over);
+  REQUIRE(a.last.peak_torque == b.last.peak_torque);
+  REQUIRE(a.last.peak_force == b.last.peak_force);
+}
+
+template <int Dofs>
 void check_equal() {
   CAPTURE(Dofs);
   EstimatorConfig<double, Dofs> fixed;
   Runtime::Config config;
   fixed.rated_payload = config.rated_payload = 5;
+  fixed.contact_false_alarms = config.contact_false_alarms = 3;
   fixed.arm = ArmPrior<double, Dofs>::of(4);
   config.arm = ArmPrior<double, Eigen::Dynamic>{fixed.arm->noise, fixed.arm->offset, fixed.arm->residual,
                                                 fixed.arm->coulomb, fixed.arm->viscous};
@@ -76,7 +98,10 @@ void check_equal() {
     const FlangeMotion<double> motion{{0.1, 0.2, 0.3}, {1, 2, 3}, {0.5, 0, -1}};
     REQUIRE(estimator.payload_torque(jacobian, R, motion, torque) == Status::Ok);
     REQUIRE(torque == expected.payload_torque(sample.jacobian, sample.rotation, motion));
+    check_same(estimator.contact(), expected.contact());
   }
+  CHECK(estimator.contact().ready);
+  CHECK(estimator.contact().last.number > 0);
   CHECK(estimator.state().payload.mean == expected.state().payload.mean);
   CHECK(estimator.state().payload.covariance == expected.state().payload.covariance);
   CHECK(estimator.state().time == expected.state().time);
@@ -96,7 +121,12 @@ void check_equal() {
   CHECK(std::abs(estimator.state().tool[0] - 0.4) < 0.05);
   estimator.declare_empty();
   CHECK(estimator.state().empty());
+  expected.declare_empty();
+  check_same(estimator.contact(), expected.contact());
   estimator.reset();
+  expected.reset();
+  check_same(estimator.contact(), expected.contact());
+  CHECK(estimator.contact().residual.size() == Dofs);
   CHECK(estimator.state().time == 0);
   CHECK(estimator.state().event.number == 0);
 }

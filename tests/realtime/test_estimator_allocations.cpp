@@ -61,7 +61,7 @@ TEST_CASE(
   rme::CompensationRamp<double, 7> ramp(kPeriod);
   const auto said = Gaussian::independent({1, 0, 0, 0.1}, {0.1, 0.05, 0.05, 0.05});
   bool met[6] = {};  // by kind of event
-  int refused = 0;
+  int refused = 0, contacts = 0;
   double largest = 0;
   const int count = allocations_of([&] {
     for (int round = 0; round < 3; ++round) {
@@ -77,6 +77,7 @@ TEST_CASE(
         largest = std::max(largest, ramp.torque().norm());
         const auto moved = estimator.payload_torque(ticks[k].jacobian, ticks[k].rotation, rme::FlangeMotion<double>());
         largest = std::max(largest, moved.norm());
+        contacts += estimator.contact().contact && estimator.contact().likeliest_link() > 0;
       }
       estimator.reset();
     }
@@ -84,6 +85,7 @@ TEST_CASE(
   CHECK(count == 0);
   for (const bool kind : met) CHECK(kind);
   CHECK(refused > 300);
+  CHECK(contacts > 300);
   CHECK(largest > 1);
 }
 
@@ -95,7 +97,7 @@ TEST_CASE("Allocations: none in the estimator for a number of joints that is kno
   Eigen::VectorXd tau_ext(7), dq(7), carried = Eigen::VectorXd::Zero(7);
   Eigen::MatrixXd jacobian(6, 7);
   Eigen::Matrix<double, Eigen::Dynamic, 3> gravity(7, 3);
-  int refused = 0;
+  int refused = 0, contacts = 0;
   const int count = allocations_of([&] {
     for (int k = 0; k < 2000; ++k) {
       if (k == 1000) arm.hold({1, {0, 0, 0.1}});
@@ -109,12 +111,14 @@ TEST_CASE("Allocations: none in the estimator for a number of joints that is kno
                                : estimator.update(tau_ext, jacobian, sample.rotation, dq, 0, {}, carried, gravity)) !=
                  Status::Ok;
       refused += estimator.compensation(jacobian, sample.rotation, carried) != Status::Ok;
+      contacts += estimator.contact().contact;
     }
     estimator.expect_change();
     estimator.in_contact(true);
   });
   CHECK(count == 0);
   CHECK(refused == 0);
+  CHECK(contacts > 10);
   CHECK(carried.norm() > 1);
 }
 

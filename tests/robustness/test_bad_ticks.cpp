@@ -25,7 +25,8 @@ const rme::Payload<double> kObject = {1.1, {0.05, 0.02, 0.13}};
 template <typename Scalar>
 Eigen::VectorXd answers(const rme::Estimator<Scalar, 7>& estimator, const rme::Proprioception<Scalar, 7>& at) {
   const rme::EstimatorState<Scalar>& state = estimator.state();
-  Eigen::Matrix<double, 156, 1> all;
+  const rme::ContactState<Scalar, 7>& contact = estimator.contact();
+  Eigen::Matrix<double, 234, 1> all;
   all << state.payload.mean.template cast<double>(),
       Eigen::Map<const Eigen::Matrix<Scalar, 16, 1>>(state.payload.covariance.data()).template cast<double>(),
       state.inertial.mean.template cast<double>(),
@@ -34,7 +35,13 @@ Eigen::VectorXd answers(const rme::Estimator<Scalar, 7>& estimator, const rme::P
       Eigen::Map<const Eigen::Matrix<Scalar, 5, 1>>(state.probability.values.data()).template cast<double>(),
       double(state.held), double(state.confidence), double(state.health), double(state.friction_shows()), state.time,
       state.updated, double(state.changing), state.change_onset, state.change_noticed, double(state.event.number),
-      double(state.event.kind), state.event.onset, state.event.noticed, state.event.over;
+      double(state.event.kind), state.event.onset, state.event.noticed, state.event.over, double(contact.ready),
+      double(contact.contact), double(contact.statistic), contact.residual.template cast<double>(),
+      contact.variance.template cast<double>(), contact.threshold.template cast<double>(),
+      contact.wrench.vector().template cast<double>(),
+      Eigen::Map<const Eigen::Matrix<Scalar, 36, 1>>(contact.wrench_covariance.data()).template cast<double>(),
+      contact.link.template cast<double>(), double(contact.last.number), double(contact.last.cause), contact.last.onset,
+      contact.last.over, double(contact.last.peak_force);
   return all;
 }
 

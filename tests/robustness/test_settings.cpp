@@ -37,6 +37,7 @@ std::vector<Leaf> leaves_of(rme::EstimatorConfig<double, 7>& c) {
           {"EstimatorConfig::torque_sign", sign},
           {"EstimatorConfig::rated_payload", [&](double x) { c.rated_payload = x; }},
           {"EstimatorConfig::observer_bandwidth", [&](double x) { c.observer_bandwidth = x; }},
+          {"EstimatorConfig::contact_false_alarms", [&](double x) { c.contact_false_alarms = x; }},
           {"ArmPrior::noise", [&](double x) { arm.noise[1] = x; }},
           {"ArmPrior::offset", [&](double x) { arm.offset[6] = x; }},
           {"ArmPrior::residual", [&](double x) { arm.residual[1] = x; }},

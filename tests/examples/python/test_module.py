@@ -55,6 +55,23 @@ gc.collect()
 churn = [np.full(100000, np.nan) for _ in range(20)]  # would take the place of what was freed
 assert np.array_equal(mean, before), "a view keeps its estimator alive"
 
+# So are those of what touches the arm.
+estimator = rme.Estimator(7, 0.001)
+contact = estimator.contact
+arrays = [contact.residual, contact.variance, contact.threshold, contact.force, contact.moment, contact.wrench_covariance,
+          contact.link]
+assert [a.shape for a in arrays] == [(7,), (7,), (7,), (3,), (3,), (6, 6), (7,)]
+assert not any(a.flags.owndata or a.flags.writeable for a in arrays) and not contact.ready
+fed(estimator, 2000)
+assert contact.ready and not contact.contact and contact.likeliest_link() == 0 and contact is estimator.contact
+number = contact.last.number
+fed(estimator, 20, mass=2)  # 10 N more
+assert contact.contact and contact.statistic > 1 and contact.last.number == number + 1, contact
+assert contact.last.cause is rme.ContactCause.Undecided and 2 < contact.last.noticed < 2.02, contact.last
+assert arrays[3][2] < -5 and contact.last.peak_force > 5 and abs(arrays[6].sum() - 1) < 1e-9
+estimator.reset()
+assert contact.last.number == 0 and not arrays[3].any(), "the views survive reset()"
+
 # Settings are views as well.
 config = rme.EstimatorConfig(rated_payload=5, torque_sign=rme.TorqueSign.Reaction, arm=rme.ArmPrior.of(7, 5))
 config.gravity[:] = [0, 0, -1.62]
