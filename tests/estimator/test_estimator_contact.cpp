@@ -244,7 +244,7 @@ TEST_CASE("Contact: an arm that may have friction is not trusted at rest before 
   CHECK(unknown.contact().variance[0] < 2e-3);
 }
 
-TEST_CASE("Contact: after reset() it is as new; what a host says of the hand ends a contact", "[contact]") {
+TEST_CASE("Contact: after reset() it is as new, and what a host says of the hand ends a contact", "[contact]") {
   const auto samples = rme::testing::life(460);
   rme::Estimator<double, 7> used(kPeriod), fresh(kPeriod);
   for (const Sample& s : samples) REQUIRE(used.update(s) == Status::Ok);

@@ -78,7 +78,7 @@ TEST_CASE("EstimatorConfig: a field that is not there keeps its default, and is 
   const json written = rme::estimator_config_to_json(defaults);
   CHECK_FALSE(written.contains("arm"));
   CHECK_FALSE(written.contains("payload"));
-  CHECK(written.size() == 5);
+  CHECK(written.size() == 6);
   CHECK(rme::estimator_config_to_json(read("{}")) == written);
 }
 

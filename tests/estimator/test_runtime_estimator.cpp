@@ -19,6 +19,7 @@ Proprioception<double, Dofs> sample_at(int tick) {
   if (tick > 600)
     sample.compensation = 0.9 * compensation_torque<double>({1, {0.01, 0, 0.1}}, sample.jacobian, sample.rotation);
   if (tick > 800) sample.gravity_torque = 0.5 * sample.jacobian.template topRows<3>().transpose();
+  if (tick > 1250) sample.tau_ext.array() += 30;  // a contact
   if (tick > 1000) sample.motion = FlangeMotion<double>{{0, 0.1, 0}, {0.2, 0, 0.1}, {0, 0.3, 0}};
   return sample;
 }

@@ -198,7 +198,8 @@ TEST_CASE("ContactMonitor: a contact above a joint is found on a link above it",
   }
 }
 
-TEST_CASE("ContactMonitor: what the estimator explains for long ends by itself; what it does not, stays", "[contact]") {
+TEST_CASE("ContactMonitor: what the estimator explains for long ends by itself, and what it does not stays",
+          "[contact]") {
   const Joints torque = 3 * Joints::Unit(1);
   Watch explained(11), disturbed(11);
   explained.run(5000);
@@ -214,7 +215,7 @@ TEST_CASE("ContactMonitor: what the estimator explains for long ends by itself; 
   CHECK(disturbed.state().last.over == 0);
 }
 
-TEST_CASE("ContactMonitor: a payload that is known better is no contact; one that has changed explains one",
+TEST_CASE("ContactMonitor: a payload that is known better is no contact, and one that has changed explains one",
           "[contact]") {
   Watch watch(12);
   watch.run(5000);

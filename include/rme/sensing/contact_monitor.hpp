@@ -28,10 +28,10 @@ namespace rme {
 template <typename Scalar, int Dofs>
 class ContactMonitor {
  public:
-  using Vector = JointVector<Scalar, Dofs>;  ///< [N m], unless something else is said
-  static constexpr int kScales = 2;          ///< number of scales
-  /// Time constants of the averages y, and of the means m that they are compared with [s].
-  static constexpr double kAverage[kScales] = {0.004, 0.025}, kMean[kScales] = {0.15, 1.0};
+  using Vector = JointVector<Scalar, Dofs>;                    ///< [N m], unless something else is said
+  static constexpr int kScales = 2;                            ///< number of scales
+  static constexpr double kAverage[kScales] = {0.004, 0.025};  ///< time constants of the averages y [s]
+  static constexpr double kMean[kScales] = {0.15, 1.0};        ///< of the means m that they are compared with [s]
 
   /// @param false_alarms  how often `contact` may be true while nothing touches the arm [1/h], > 0
   /// @param scale         of each joint: size of its noise and errors relative to a Panda's (ArmPrior::residual), > 0
