@@ -17,10 +17,11 @@ enum Shared : int {
   kTilt = 5,     ///< error of gravity's direction: rotation about two axes across gravity, 2 entries [rad]
   kPayload = 7,  ///< phi of the payload, 10 entries; if something is poured, phi before that
   kPoured = 17,  ///< what has been poured in so far, (m, m r), 4 entries [kg, kg m]
+  kSwing = 17,   ///< in its place, if the payload swings: the force of that, 3 entries, world axes [N]
 };
 inline constexpr int kArmShared = kPayload;  ///< number of shared unknowns of an empty hand
 inline constexpr int kHeldShared = kPoured;  ///< the same, if something is held
-inline constexpr int kShared = kPoured + 4;  ///< the same, if something is poured: all of them
+inline constexpr int kShared = kPoured + 4;  ///< the same, if something is poured, or swings: all of them
 template <typename Scalar>
 using SharedVector = Eigen::Matrix<Scalar, kShared, 1>;  ///< x, in the order of Shared
 template <typename Scalar>
@@ -57,8 +58,8 @@ struct JointObservation {
 ///     x ~ N(mean, F F^T),   beta_j | x ~ N(b_j + B_j x, V_j)
 ///
 /// A joint's torque depends only on x and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
-/// cost of a dense covariance. forget_payload(), widen_arm(), pour() and end_pour() would couple the joints. Each of
-/// them gives the nearest star instead, which has the right mean and covariance of every pair (x, beta_j)
+/// cost of a dense covariance. forget_payload(), widen_arm(), pour(), end_pour(), end_swing() and their like would couple the
+/// joints. Each of them gives the nearest star instead, which has the right mean and covariance of every pair (x, beta_j)
 /// (docs/theory.md, "The star").
 ///
 /// F is a square root of the covariance of x, and is updated as such (Potter's form: Maybeck, Stochastic Models,
@@ -84,11 +85,13 @@ class StarGaussian {
   bool empty() const noexcept { return size_ == kArmShared; }  ///< whether the hand is empty for certain
   const X& mean() const noexcept { return mean_; }             ///< of x
   XMatrix covariance() const noexcept { return detail::outer_square(factor_); }  ///< of x, F F^T
-  Scalar mass() const noexcept { return mean_[kPayload] + mean_[kPoured]; }      ///< mean of the payload's mass [kg]
+  bool swings() const noexcept { return swings_; }                               ///< whether the payload swings
+  /// Mean of the payload's mass, with what was poured [kg].
+  Scalar mass() const noexcept { return mean_[kPayload] + (poured(0) ? mean_[kPoured] : Scalar(0)); }
   /// Mean of the payload's phi, with what was poured.
   InertialVector<Scalar> payload_mean() const noexcept {
     InertialVector<Scalar> phi;
-    for (int i = 0; i < kInertial; ++i) phi[i] = mean_[kPayload + i] + (i < 4 ? mean_[kPoured + i] : Scalar(0));
+    for (int i = 0; i < kInertial; ++i) phi[i] = mean_[kPayload + i] + (poured(i) ? mean_[kPoured + i] : Scalar(0));
     return phi;
   }
   /// Covariance of the payload's phi, with what was poured.
@@ -96,14 +99,14 @@ class StarGaussian {
     Eigen::Matrix<Scalar, kInertial, kShared> rows;
     for (int i = 0; i < kInertial; ++i)
       for (int k = 0; k < kShared; ++k)
-        rows(i, k) = factor_(kPayload + i, k) + (i < 4 ? factor_(kPoured + i, k) : Scalar(0));
+        rows(i, k) = factor_(kPayload + i, k) + (poured(i) ? factor_(kPoured + i, k) : Scalar(0));
     return detail::outer_square(rows);
   }
   /// Variance of the payload's mass [kg^2].
   Scalar mass_variance() const noexcept {
     Scalar sum = Scalar(0);
     for (int k = 0; k < size_; ++k) {
-      const Scalar f = factor_(kPayload, k) + factor_(kPoured, k);
+      const Scalar f = factor_(kPayload, k) + (poured(0) ? factor_(kPoured, k) : Scalar(0));
       sum += f * f;
     }
     return sum;
@@ -221,6 +224,7 @@ class StarGaussian {
       return kept;
     });
     size_ = kArmShared;
+    swings_ = false;
   }
   /// Puts a payload phi ~ N(mean, factor factor^T), independent of everything else, in place of the present one.
   void draw_payload(const InertialVector<Scalar>& mean, const InertialMatrix<Scalar>& factor) noexcept {
@@ -271,12 +275,14 @@ class StarGaussian {
     }
     (void)factorise(arm, factor_);
     size_ = kArmShared;
+    swings_ = false;
     return log_density;
   }
   /// Counts the payload as part of the tool. The hand is empty afterwards.
   void payload_is_tool() noexcept {
     if (empty()) return;
     end_pour();
+    end_swing();
     for (int i = 0; i < 4; ++i) {
       mean_[kTool + i] += mean_[kPayload + i];
       for (int k = 0; k < kShared; ++k) factor_(kTool + i, k) += factor_(kPayload + i, k);
@@ -294,11 +300,56 @@ class StarGaussian {
     restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
   }
 
+  /// Adds a relative error to what is known of the payload: phi becomes (1 + e) phi, e independent of everything else. Each
+  /// beta_j keeps its moments with the old x.
+  /// @param square  E[e^2]
+  void widen_payload(Scalar square) noexcept {
+    XMatrix total = covariance();
+    X along = X::Zero();
+    for (int i = kPayload; i < kPayload + kInertial; ++i) along[i] = mean_[i];
+    detail::add_outer(total, detail::scaled(square, along), along);
+    restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
+  }
+  /// From now on, the payload swings, with a force of zero mean. Nothing may be poured meanwhile.
+  /// @param variance  of the force [N^2], world axes
+  void begin_swing(const Vector3<Scalar>& variance) noexcept {
+    using std::sqrt;
+    for (int i = 0; i < 3; ++i) factor_(kSwing + i, kSwing + i) = sqrt(variance[i]);
+    size_ = kShared;
+    swings_ = true;
+  }
+  /// Multiplies the force of the swing by `scale`, which is not 0.
+  void scale_swing(Scalar scale) noexcept {
+    for (int i = kSwing; i < kSwing + 3; ++i) {
+      mean_[i] *= scale;
+      for (int k = 0; k < kShared; ++k) factor_(i, k) *= scale;
+      for (Joint& joint : joints_)
+        for (int n = 0; n < kJointNuisances; ++n) joint.slope(i, n) /= scale;
+    }
+  }
+  /// The payload swings no more: marginalises the force.
+  void end_swing() noexcept {
+    if (!swings_) return;
+    X mean = mean_;
+    XMatrix kept = factor_;
+    for (int i = kSwing; i < kSwing + 3; ++i) {
+      mean[i] = Scalar(0);
+      for (int k = 0; k < kShared; ++k) kept(i, k) = Scalar(0);
+    }
+    restate(mean, detail::outer_square(kept), [](const Slope& cross, const Slope&) {
+      Slope left = cross;
+      for (int n = 0; n < kJointNuisances; ++n)
+        for (int i = kSwing; i < kSwing + 3; ++i) left(i, n) = Scalar(0);
+      return left;
+    });
+    size_ = kHeldShared;
+    swings_ = false;
+  }
   /// From now on, something may be poured in: nothing so far.
   void begin_pour() noexcept { size_ = kShared; }
   /// What has been poured so far becomes part of the payload's phi. Each beta_j keeps its moments with it.
   void end_pour() noexcept {
-    if (size_ != kShared) return;
+    if (size_ != kShared || swings_) return;
     const InertialVector<Scalar> phi = payload_mean();
     X mean = mean_;
     for (int i = 0; i < kInertial; ++i) mean[kPayload + i] = phi[i];
@@ -414,6 +465,8 @@ class StarGaussian {
   }
 
  private:
+  /// Whether something has been poured into entry i of phi.
+  bool poured(int i) const noexcept { return i < 4 && !swings_; }
   template <int Size>
   using Head = Eigen::Map<Eigen::Matrix<Scalar, Size, 1>>;
   template <int Size>
@@ -516,7 +569,8 @@ class StarGaussian {
 
   X mean_ = X::Zero();
   XMatrix factor_ = XMatrix::Zero();  // F
-  int size_ = kArmShared;             // entries of x that are not zero for certain; the others have zero slopes
+  bool swings_ = false;
+  int size_ = kArmShared;  // entries of x that are not zero for certain; the others have zero slopes
   std::array<Joint, static_cast<std::size_t>(Dofs)> joints_;
 };
 
