@@ -47,8 +47,8 @@ Star random_star(std::mt19937& random) {
   star.draw_payload(random_vector(random, kInertial), oracle::random_matrix(random, kInertial, kInertial));
   star.begin_pour();
   Star::Cross none = Star::Cross::Zero();
-  star.pour(1, random_vector(random, 4), none, oracle::square(oracle::random_matrix(random, 4, 4)),
-            oracle::square(oracle::random_matrix(random, 4, 4)));
+  star.drift(1, random_vector(random, 4), none, oracle::square(oracle::random_matrix(random, 4, 4)),
+             oracle::square(oracle::random_matrix(random, 4, 4)));
   for (int j = 0; j < kJoints; ++j) {
     star.joint(j).mean = random_vector(random, kJointNuisances);
     star.joint(j).slope = oracle::random_matrix(random, kShared, kJointNuisances);
@@ -479,13 +479,13 @@ TEST_CASE("StarGaussian: what is poured at a rate takes along what is known of b
     Dense expected{before.mean, all.topLeftCorner(kAll, kAll)};
     expected.mean.segment<4>(kPoured) += dt * rate;
     Star::Cross after = cross;
-    star.pour(dt, rate, after, V, oracle::square(L));
+    star.drift(dt, rate, after, V, oracle::square(L));
     CHECK(difference(dense(star), expected) < 1e-9);
     CHECK((after - all.block(0, kAll, kShared, 4)).norm() < 1e-12 * all.norm());
     // Of noise that is no number nothing is taken.
     const Dense now = dense(star);
     const Star::Cross kept = after;
-    star.pour(dt, rate, after, V, rme::Matrix4<double>::Constant(std::nan("")));
+    star.drift(dt, rate, after, V, rme::Matrix4<double>::Constant(std::nan("")));
     CHECK(difference(dense(star), now) == 0);
     CHECK(after == kept);
   }
@@ -538,39 +538,6 @@ TEST_CASE("StarGaussian: finite looks at every part", "[star]") {
     if (part == 4) spoilt.joint(1).covariance(2, 3) = nan;
     CHECK_FALSE(spoilt.finite());
   }
-}
-
-TEST_CASE("StarGaussian: factorise gives a factor of singular matrices too, none of rounding, and of NaN none",
-          "[star]") {
-  const unsigned seed = 516;
-  CAPTURE(seed);
-  std::mt19937 random(seed);
-  using Matrix10 = rme::InertialMatrix<double>;
-  for (int rank = 0; rank <= kInertial; ++rank) {
-    CAPTURE(rank);
-    const Matrix G = oracle::random_matrix(random, kInertial, rank);
-    Matrix scale = Matrix::Identity(kInertial, kInertial);
-    for (int i = 4; i < kInertial; ++i) scale(i, i) = 1e-4;  // kilograms beside kilogram square metres
-    const Matrix10 P = oracle::congruence(scale, oracle::square(G));
-    Matrix10 L = Matrix10::Constant(7);
-    REQUIRE(Star::factorise(P, L));
-    CHECK(L.isLowerTriangular(0));
-    if (rank == 1) CHECK((L.diagonal().array() > 0).count() == 1);
-    // Entry by entry, relative to the diagonal's scale.
-    const Matrix off = oracle::square(L) - P;
-    for (int i = 0; i < kInertial; ++i)
-      for (int k = 0; k < kInertial; ++k) CHECK(std::abs(off(i, k)) <= 1e-13 * std::sqrt(P(i, i) * P(k, k)));
-  }
-  // A direction of which P says nothing: a mass that is known exactly.
-  Matrix10 P = Matrix10::Identity(), L;
-  P.row(0).setZero();
-  P.col(0).setZero();
-  REQUIRE(Star::factorise(P, L));
-  CHECK(L == P);
-  P(3, 3) = std::numeric_limits<double>::quiet_NaN();
-  const Matrix10 before = L;
-  CHECK_FALSE(Star::factorise(P, L));
-  CHECK(L == before);
 }
 
 /// One joint's random walk, seen through noise: the Riccati equation's fixed point is a root of P^2 + q P - q r.

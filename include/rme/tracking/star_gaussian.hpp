@@ -4,53 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <rme/core/singular_cholesky.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/inertial_parameters.hpp>
+#include <rme/tracking/joint_observation.hpp>
 
 namespace rme {
-
-/// What all joints share, x: first what belongs to the arm, then the payload. Each is the index of a first entry.
-enum Shared : int {
-  kLag = 0,      ///< lag of the torque beyond the stated observer, in time constants of that observer (no unit)
-  kTool = 1,     ///< mass and first moment that the robot's own model lacks at the last link, 4 entries [kg, kg m]
-  kTilt = 5,     ///< error of gravity's direction: rotation about two axes across gravity, 2 entries [rad]
-  kPayload = 7,  ///< phi of the payload, 10 entries; if something is poured, phi before that
-  kPoured = 17,  ///< what has been poured in so far, (m, m r), 4 entries [kg, kg m]
-  kSwing = 17,   ///< in its place, if the payload swings: the force of that, 3 entries, world axes [N]
-};
-inline constexpr int kArmShared = kPayload;  ///< number of shared unknowns of an empty hand
-inline constexpr int kHeldShared = kPoured;  ///< the same, if something is held
-inline constexpr int kShared = kPoured + 4;  ///< the same, if something is poured, or swings: all of them
-template <typename Scalar>
-using SharedVector = Eigen::Matrix<Scalar, kShared, 1>;  ///< x, in the order of Shared
-template <typename Scalar>
-using SharedMatrix = Eigen::Matrix<Scalar, kShared, kShared>;  ///< covariance of x, or a factor of it
-
-/// What a joint's torque contains of its own. Nuisance vectors have this order.
-enum Nuisance : int {
-  kOffset,    ///< offset of the torque sensor [N m]
-  kCoulomb,   ///< Coulomb friction of a moving joint, against its motion [N m]
-  kViscous,   ///< viscous friction [N m s/rad]
-  kResidual,  ///< error of the arm's rigid-body model; changes as the arm moves [N m]
-  kStiction,  ///< friction torque of a resting joint [N m]
-};
-inline constexpr int kJointNuisances = 5;  ///< number of nuisances of a joint
-
-template <typename Scalar>
-using JointNuisanceVector = Eigen::Matrix<Scalar, kJointNuisances, 1>;  ///< beta_j, in the order of Nuisance
-template <typename Scalar>
-using JointNuisanceMatrix = Eigen::Matrix<Scalar, kJointNuisances, kJointNuisances>;  ///< covariance of beta_j
-
-/// Measurement of one joint's torque, averaged over a block of samples (docs/theory.md (T14)): y = h^T x + c^T beta_j
-/// + noise.
-template <typename Scalar>
-struct JointObservation {
-  Scalar torque;                  ///< y [N m]
-  SharedVector<Scalar> h;         ///< regressor of x
-  JointNuisanceVector<Scalar> c;  ///< regressor of the joint's nuisances
-  Scalar noise;                   ///< variance of the noise [(N m)^2], > 0
-};
 
 /// Gaussian over x and the joints' nuisances beta_1 .. beta_n. It has the form of a star: given x, the joints are
 /// independent (docs/theory.md (T15)),
@@ -58,7 +18,7 @@ struct JointObservation {
 ///     x ~ N(mean, F F^T),   beta_j | x ~ N(b_j + B_j x, V_j)
 ///
 /// A joint's torque depends only on x and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
-/// cost of a dense covariance. forget_payload(), widen_arm(), pour(), end_pour(), end_swing() and their like would couple the
+/// cost of a dense covariance. forget_payload(), widen_arm(), drift(), end_pour(), end_swing() and their like would couple the
 /// joints. Each of them gives the nearest star instead, which has the right mean and covariance of every pair (x, beta_j)
 /// (docs/theory.md, "The star").
 ///
@@ -273,7 +233,7 @@ class StarGaussian {
       for (Joint& joint : joints_)
         for (int n = 0; n < kJointNuisances; ++n) joint.slope(i, n) = Scalar(0);
     }
-    (void)factorise(arm, factor_);
+    if (const Factor factor(arm); factor.finite()) factor_ = factor.lower();
     size_ = kArmShared;
     swings_ = false;
     return log_density;
@@ -374,20 +334,21 @@ class StarGaussian {
       return;
     size_ = kHeldShared;
   }
-  /// What has been poured moves by dt r, where r is correlated with x; then process noise Q is added to it. Each beta_j
-  /// keeps its moments with the old x, and depends on r only through x.
+  /// What has been poured, or the force of the swing, moves by dt r, where r is correlated with x; then process noise Q is
+  /// added to it. Each beta_j keeps its moments with the old x, and depends on r only through x.
   /// @param dt     [s]
-  /// @param rate   E[r] [kg/s, kg m/s]
+  /// @param rate   E[r] [kg/s, kg m/s], or [N/s]
   /// @param cross  cov(x, r); on return that of the new x
   /// @param V      cov(r)
   /// @param Q      covariance of the noise, positive semidefinite; if it is not finite, nothing changes
-  void pour(Scalar dt, const Vector4<Scalar>& rate, Cross& cross, const Matrix4<Scalar>& V,
-            const Matrix4<Scalar>& Q) noexcept {
+  void drift(Scalar dt, const Vector4<Scalar>& rate, Cross& cross, const Matrix4<Scalar>& V,
+             const Matrix4<Scalar>& Q) noexcept {
     // r = E[r] + G^T (x - E[x]) + what x does not tell. So x' = A x + E n, with A = 1 + dt E G^T, and n, the noise, in the
     // last four entries alone: beta_j changes by matrices of rank four.
-    XMatrix total = covariance(), lower, lower_after;
-    if (!factorise(total, lower)) return;
-    const Cross G = solve(lower, cross);
+    XMatrix total = covariance();
+    const Factor before(total);
+    if (!before.finite()) return;
+    const Cross G = before.solve(cross);
     Matrix4<Scalar> noise = V;
     detail::add_scaled(noise, Scalar(-1), Matrix4<Scalar>(detail::transposed_product(cross, G)));
     noise *= dt * dt;
@@ -403,11 +364,12 @@ class StarGaussian {
     }
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k < 4; ++k) total(kPoured + i, kPoured + k) += Q(i, k);
-    if (!factorise(total, lower_after)) return;
+    const Factor factor(total);
+    if (!factor.finite()) return;
     Cross place = Cross::Zero();
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k < 4; ++k) place(kPoured + i, k) = noise(i, k);
-    const Cross shown = solve(lower_after, place);  // E[n | x'] = shown^T (x' - E[x'])
+    const Cross shown = factor.solve(place);  // E[n | x'] = shown^T (x' - E[x'])
     Matrix4<Scalar> left = noise, turned = Matrix4<Scalar>::Identity();
     for (int i = 0; i < 4; ++i) {
       for (int k = 0; k < 4; ++k) {
@@ -434,37 +396,13 @@ class StarGaussian {
       joint.mean = mean;
       detail::add_scaled(joint.mean, Scalar(-1), Beta(detail::transposed_product(joint.slope, moved)));
     }
-    factor_ = lower_after;
+    factor_ = factor.lower();
     mean_ = moved;
     cross = after;
   }
 
-  /// Cholesky factorisation P = L L^T, L lower triangular, for a positive semidefinite P. A direction whose variance is
-  /// zero, to within rounding, gets a column of zeros.
-  /// @return false if P is not finite; then L is as it was
-  template <int Size>
-  static bool factorise(const Eigen::Matrix<Scalar, Size, Size>& P, Eigen::Matrix<Scalar, Size, Size>& L) noexcept {
-    using std::sqrt;
-    using Matrix = Eigen::Matrix<Scalar, Size, Size>;
-    if (!detail::finite(P)) return false;
-    Matrix out = Matrix::Zero();
-    for (int j = 0; j < Size; ++j) {
-      for (int i = j; i < Size; ++i) out(i, j) = P(i, j);
-      for (int k = 0; k < j; ++k) {
-        const Scalar head = out(j, k);
-        for (int i = j; i < Size; ++i) out(i, j) -= head * out(i, k);
-      }
-      const Scalar pivot = out(j, j);
-      // Relative to its own diagonal entry, since the entries have different units.
-      const bool varies = pivot > Eigen::NumTraits<Scalar>::epsilon() * 16 * P(j, j);
-      const Scalar scale = varies ? Scalar(1) / sqrt(pivot) : Scalar(0);
-      for (int i = j; i < Size; ++i) out(i, j) *= scale;
-    }
-    L = out;
-    return true;
-  }
-
  private:
+  using Factor = SingularCholesky<Scalar, kShared>;
   /// Whether something has been poured into entry i of phi.
   bool poured(int i) const noexcept { return i < 4 && !swings_; }
   template <int Size>
@@ -503,9 +441,9 @@ class StarGaussian {
   /// @return false if `total` is not finite; then nothing has changed
   template <typename Moments>
   bool restate(const X& mean, const XMatrix& total, const Moments& moments) noexcept {
-    XMatrix lower;
-    if (!factorise(total, lower)) return false;
-    const XMatrix before = covariance(), inverse = inverted(lower);
+    const Factor factor(total);
+    if (!factor.finite()) return false;
+    const XMatrix before = covariance(), inverse = factor.inverse_lower();
     for (int j = 0; j < Dofs; ++j) {
       Joint& joint = this->joint(j);
       const Slope cross = detail::product(before, joint.slope);
@@ -513,43 +451,12 @@ class StarGaussian {
       V += detail::transposed_product(joint.slope, cross);
       joint = given_shared(inverse, mean, nuisance_mean(j), moments(cross, joint.slope), V);
     }
-    factor_ = lower;
+    factor_ = factor.lower();
     mean_ = mean;
     return true;
   }
-  /// P^-1 R for P = L L^T, in the directions that have variance; the others are zero.
-  static Cross solve(const XMatrix& L, const Cross& R) noexcept {
-    Cross out = R;
-    for (int c = 0; c < 4; ++c) {
-      for (int i = 0; i < kShared; ++i) {
-        out(i, c) = L(i, i) > 0 ? out(i, c) / L(i, i) : Scalar(0);
-        for (int k = i + 1; k < kShared; ++k) out(k, c) -= L(k, i) * out(i, c);
-      }
-      for (int i = kShared - 1; i >= 0; --i) {
-        Scalar sum = out(i, c);
-        for (int k = i + 1; k < kShared; ++k) sum -= L(k, i) * out(k, c);
-        out(i, c) = L(i, i) > 0 ? sum / L(i, i) : Scalar(0);
-      }
-    }
-    return out;
-  }
-  /// Inverse of factorise()'s L in the directions that have variance, with zeros in the rows and columns of the others.
-  static XMatrix inverted(const XMatrix& L) noexcept {
-    XMatrix out = XMatrix::Zero();
-    for (int j = 0; j < kShared; ++j) {
-      if (!(L(j, j) > 0)) continue;
-      out(j, j) = Scalar(1) / L(j, j);
-      for (int i = j + 1; i < kShared; ++i) {
-        if (!(L(i, i) > 0)) continue;
-        Scalar sum = Scalar(0);
-        for (int k = j; k < i; ++k) sum -= L(i, k) * out(k, j);
-        out(i, j) = sum / L(i, i);
-      }
-    }
-    return out;
-  }
   /// Gaussian of a joint's nuisances given x, from the moments of both.
-  /// @param inverse         inverted() of the factor of cov(x)
+  /// @param inverse         L^-1 of cov(x) = L L^T
   /// @param x               E[x]
   /// @param mean, cross, V  E[beta], cov(x, beta), cov(beta)
   static Joint given_shared(const XMatrix& inverse, const X& x, const Beta& mean, const Slope& cross,

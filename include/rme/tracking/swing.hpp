@@ -4,6 +4,7 @@
 #include <cmath>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
+#include <rme/tracking/rate.hpp>
 #include <rme/tracking/star_gaussian.hpp>
 
 namespace rme {
@@ -27,7 +28,7 @@ class Swing {
     *this = Swing();
     variance_.setConstant(force * force);
     star.begin_swing(variance_);
-    for (int i = 0; i < 3; ++i) rate_covariance_(i, i) = Scalar(kReturn * kReturn) * variance_[i];
+    for (int i = 0; i < 3; ++i) rate_.covariance(i, i) = Scalar(kReturn * kReturn) * variance_[i];
   }
   /// Time update of the force and of its rate.
   /// @param star      state
@@ -48,33 +49,26 @@ class Swing {
     }
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k)
-        after(i, k) += pulls * pulls * before(kSwing + i, kSwing + k) + keeps * keeps * rate_covariance_(i, k) +
-                       pulls * keeps * (cross_(kSwing + i, k) + cross_(kSwing + k, i));
-    Vector4<Scalar> rate = detail::scaled(keeps, rate_);
-    for (int i = 0; i < 3; ++i) rate[i] += pulls * star.mean()[kSwing + i];
+        after(i, k) += pulls * pulls * before(kSwing + i, kSwing + k) + keeps * keeps * rate_.covariance(i, k) +
+                       pulls * keeps * (rate_.cross(kSwing + i, k) + rate_.cross(kSwing + k, i));
+    Vector4<Scalar> mean = detail::scaled(keeps, rate_.mean);
+    for (int i = 0; i < 3; ++i) mean[i] += pulls * star.mean()[kSwing + i];
     star.scale_swing(stays);
     for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) cross_(kSwing + i, k) *= stays;
-    star.pour(gains, rate_, cross_, rate_covariance_, noise);
+      for (int k = 0; k < 3; ++k) rate_.cross(kSwing + i, k) *= stays;
+    star.drift(gains, rate_.mean, rate_.cross, rate_.covariance, noise);
     // r = again f + (keeps - again gains) r_before + noise, with f after the update.
     const SharedMatrix<Scalar> total = star.covariance();
-    cross_ *= keeps - again * gains;
+    rate_.cross *= keeps - again * gains;
     for (int k = 0; k < 3; ++k) {
-      for (int i = 0; i < kShared; ++i) cross_(i, k) += again * total(i, kSwing + k);
-      cross_(kSwing + k, k) += mixed[k] - again * noise(k, k);
+      for (int i = 0; i < kShared; ++i) rate_.cross(i, k) += again * total(i, kSwing + k);
+      rate_.cross(kSwing + k, k) += mixed[k] - again * noise(k, k);
     }
-    rate_ = rate;
-    rate_covariance_ = after;
+    rate_.mean = mean;
+    rate_.covariance = after;
   }
   /// Updates the rate with an observation; to be called before star.observe(j, p).
-  void observe(const Star& star, const typename Star::Prediction& p) noexcept {
-    const Vector4<Scalar> shown = detail::transposed_product(cross_, p.gain_row);  // cov(rate, y)
-    const SharedVector<Scalar> row = star.covariance_row(p);
-    const Vector4<Scalar> gain = detail::scaled(Scalar(1) / p.variance, shown);
-    detail::add_scaled(rate_, p.innovation, gain);
-    detail::add_outer(cross_, detail::scaled(Scalar(-1), row), gain);
-    detail::add_outer(rate_covariance_, detail::scaled(Scalar(-1), shown), gain);
-  }
+  void observe(const Star& star, const typename Star::Prediction& p) noexcept { rate_.observe(star, p); }
   /// Learns the size of the swing and its frequency. The size is that of the rate: a force that stays belongs to the payload.
   /// @param star      state, after the block
   /// @param duration  of the block [s]
@@ -86,7 +80,7 @@ class Swing {
     int axis = 0;
     Vector3<Scalar> off;
     for (int i = 0; i < 3; ++i) {
-      const Scalar square = (rate_[i] * rate_[i] + rate_covariance_(i, i)) / Scalar(kReturn * kReturn);
+      const Scalar square = (rate_.mean[i] * rate_.mean[i] + rate_.covariance(i, i)) / Scalar(kReturn * kReturn);
       variance_[i] += share * (square - variance_[i]);
       variance_[i] = std::max(least * least, std::min(most * most, variance_[i]));
       off[i] = star.mean()[kSwing + i] - middle_[i];
@@ -126,12 +120,10 @@ class Swing {
   static constexpr double kEdge = 0.3;                  // how far out of it a side begins, in standard deviations
   static constexpr double kNewest = 0.3;                // share of the newest half period in the frequency
   Vector3<Scalar> variance_ = Vector3<Scalar>::Zero();  // size: of the force in each direction [N^2], world axes
-  Vector4<Scalar> rate_ = Vector4<Scalar>::Zero();      // mean of r [N/s]; the fourth entry is 0
-  Matrix4<Scalar> rate_covariance_ = Matrix4<Scalar>::Zero();  // of r
-  typename Star::Cross cross_ = Star::Cross::Zero();           // cov(x, r)
-  Vector3<Scalar> middle_ = Vector3<Scalar>::Zero();           // mean of the force's estimate in the last second [N]
-  Vector3<Scalar> moves_ = Vector3<Scalar>::Zero();            // its variance [N^2]
-  Scalar since_ = Scalar(0), half_ = Scalar(0);  // time since the last turn, and half the period; 0: unknown [s]
+  Rate<Scalar, Dofs> rate_;                             // r [N/s]; its fourth entry is 0
+  Vector3<Scalar> middle_ = Vector3<Scalar>::Zero();    // mean of the force's estimate in the last second [N]
+  Vector3<Scalar> moves_ = Vector3<Scalar>::Zero();     // its variance [N^2]
+  Scalar since_ = Scalar(0), half_ = Scalar(0);         // time since the last turn, and half the period; 0: unknown [s]
   int side_ = 0, turns_ = 0;  // on which side it is: 1 + axis, or minus that; whether the last side was the other one
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <rme/core/singular_cholesky.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
@@ -150,12 +151,12 @@ class Tracker {
         P(i, j) = theta[i] * theta[j] * variance + mass * (V(i, 0) * theta[j] + theta[i] * V(j, 0)) +
                   (mass * mass + variance) * V(i, j);
     }
-    InertialMatrix<Scalar> factor;
-    if (!StarGaussian<Scalar, Dofs>::factorise(P, factor)) return;
+    const SingularCholesky<Scalar, kInertial> factor(P);
+    if (!factor.finite()) return;
     for (auto& kind : kinds_) {
       kind.reopen_offsets();
       const Scalar spread = static_cast<Scalar>(kind.model().kind().spread);
-      kind.believe_held(mean, detail::scaled(1 / spread, factor), Scalar(kHostIsRight));
+      kind.believe_held(mean, detail::scaled(1 / spread, factor.lower()), Scalar(kHostIsRight));
     }
     summarise();
   }
