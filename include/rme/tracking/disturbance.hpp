@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <cstdint>
 #include <limits>
 #include <rme/core/cholesky.hpp>
@@ -37,12 +38,24 @@ class Disturbance {
   void begin(Scalar rated_payload) noexcept {
     mean_.setZero();
     covariance_ = any(rated_payload);
+    unknown_response();
+  }
+  void begin_softly(Scalar rated_payload) noexcept {
+    begin(rated_payload);
+    static const double s = std::getenv("KSMALL") ? std::atof(std::getenv("KSMALL")) : 0.05;
+    covariance_ *= Scalar(s * s);
   }
   /// Time update: the wrench changes from block to block.
   /// @param how            what the wrench does
   /// @param duration       of the block [s]
   /// @param rated_payload  [kg]
-  void predict(Disturbing how, Scalar duration, Scalar rated_payload) noexcept {
+  void predict(const Model& model, Disturbing how, Scalar duration, Scalar rated_payload) noexcept {
+    const Vector6<Scalar>& a = model.answer();
+    detail::add_scaled(mean_, response_, a);
+    detail::add_outer(covariance_, a, response_cross_);
+    detail::add_outer(covariance_, response_cross_, a);
+    detail::add_outer(covariance_, detail::scaled(response_variance_ + loose() * loose(), a), a);
+    detail::add_scaled(response_cross_, response_variance_, a);
     const Scalar blocks = duration / Scalar(kTrembleTime);
     const double share = how == Disturbing::Hand ? kTremble : how == Disturbing::Growing ? kOwn : 0;
     detail::add_scaled(covariance_, Scalar(share * share) * blocks, any(rated_payload));
@@ -95,6 +108,7 @@ class Disturbance {
         fit.log_density = log_anew;
         mean_.setZero();
         covariance_ = any(rated);
+        unknown_response();
       }
     }
     if (log_jolt > fit.log_density) return log_likelihood;
@@ -113,6 +127,10 @@ class Disturbance {
       p.given_shared += Scalar(kCommon) * std::max(variance, Scalar(0));
       star.observe_nuisances(j, p);
     }
+    const JointVector<Scalar, Dofs> told = fit.factor.solve_lower(JointVector<Scalar, Dofs>(detail::transposed_product(J, response_cross_)));
+    response_ += detail::dot(told, fit.white);
+    response_variance_ = std::max(Scalar(1e-6), response_variance_ - detail::dot(told, told));
+    detail::add_scaled(response_cross_, Scalar(-1), detail::transposed_product(gain, told));
     detail::add_scaled(mean_, Scalar(1), detail::transposed_product(gain, fit.white));
     detail::add_scaled(covariance_, Scalar(-1), detail::transposed_product(gain, gain));
     return log_likelihood;
@@ -130,12 +148,19 @@ class Disturbance {
     const Matrix6 W = any(rated);
     Matrix6 none = Matrix6::Zero();  // W^-1: what is known of a wrench that nothing is known of
     for (int i = 0; i < 6; ++i) none(i, i) = Scalar(1) / W(i, i);
-    const Cholesky<Scalar, 6> known(covariance_);
+    // A weight does not answer.
+    const auto density = [](Scalar at, Scalar v) { return Scalar(-0.5) * (at * at / v + std::log(v)); };
+    const Scalar log_weight_like = density(response_, response_variance_) - density(Scalar(kAnswers), Scalar(kAnswers * kAnswers));
+    Vector6<Scalar> mean_if = mean_;
+    detail::add_scaled(mean_if, -response_ / response_variance_, response_cross_);
+    Matrix6 covariance_if = covariance_;
+    detail::add_outer(covariance_if, detail::scaled(Scalar(-1) / response_variance_, response_cross_), response_cross_);
+    const Cholesky<Scalar, 6> known(covariance_if);
     if (!known.positive_definite()) return kNone;
     // What the blocks have shown, as information: that of the wrench less that of its prior.
     Matrix6 shown = known.inverse();
     shown -= none;
-    Vector6<Scalar> shown_mean = known.solve(mean_);
+    Vector6<Scalar> shown_mean = known.solve(mean_if);
     // It cannot be more than one block shows, however many there were: the arm's errors are the same in all of them.
     const Matrix6 once = information(model, star);
     Matrix6 sum = shown;
@@ -177,7 +202,7 @@ class Disturbance {
     const Scalar log_payload = detail::dot(mean, slope) - Scalar(0.5) * detail::dot(mean, at_mean) -
                                detail::dot(pull, held) - Scalar(0.5) * detail::dot(held, back) +
                                Scalar(0.5) * detail::dot(white, of_payload.solve(white)) - of_payload.log_det_lower();
-    return log_payload - log_any;
+    return log_payload - log_any + log_weight_like;
   }
 
   const Vector6<Scalar>& mean() const noexcept { return mean_; }                          ///< of w [N, N m]
@@ -291,6 +316,15 @@ class Disturbance {
     }
     return W;
   }
+  static constexpr double kAnswers = 0.5;
+  static Scalar loose() noexcept { static const double l = std::getenv("KLOOSE") ? std::atof(std::getenv("KLOOSE")) : 0.3; return Scalar(l); }
+  void unknown_response() noexcept {
+    response_ = Scalar(kAnswers);
+    response_variance_ = Scalar(kAnswers * kAnswers);
+    response_cross_.setZero();
+  }
+  Scalar response_ = Scalar(0), response_variance_ = Scalar(1);
+  Vector6<Scalar> response_cross_ = Vector6<Scalar>::Zero();
   Vector6<Scalar> mean_ = Vector6<Scalar>::Zero();
   Eigen::Matrix<Scalar, 6, 6> covariance_ = Eigen::Matrix<Scalar, 6, 6>::Zero();
 };

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <rme/core/cholesky.hpp>
+#include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/friction_regime.hpp>
@@ -144,6 +147,7 @@ class JointTorqueModel {
   void interrupt() noexcept { noise_.interrupt(); }                           ///< something happened in this block
   const SensorNoise<Scalar, Dofs>& noise() const noexcept { return noise_; }  ///< learned noise and residual
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< the block of the last begin()
+  const Vector6<Scalar>& answer() const noexcept { return answer_; }
   const Vector3<Scalar>& gravity() const noexcept { return gravity_; }        ///< g [m/s^2], world axes
   const SensingKind& kind() const noexcept { return kind_; }                  ///< row of the kind of torque sensing
   const ArmPrior<Scalar, Dofs>& arm() const noexcept { return arm_; }         ///< with the friction that the kind sees
@@ -194,7 +198,8 @@ class JointTorqueModel {
   Torque turned_ = Torque::Zero(), turning_ = Torque::Zero();
   // Per joint [N m]: average of the torque over the last 0.08 s; change of the motor's torque in this block
   // (follow_torque(), follow_compensation()); changes of the compensation that tau_ext does not show yet.
-  Torque recent_torque_ = Torque::Zero(), torque_change_ = Torque::Zero(), pending_ = Torque::Zero();
+  Torque recent_torque_ = Torque::Zero(), torque_change_ = Torque::Zero(), pending_ = Torque::Zero(), owed_ = Torque::Zero();
+  Vector6<Scalar> answer_ = Vector6<Scalar>::Zero();
   Vector3<Scalar> gravity_;
   Eigen::Matrix<Scalar, Dofs, 2> tilt_ = Eigen::Matrix<Scalar, Dofs, 2>::Zero();  // d tau / d tilt [N m/rad]
   Torque timing_noise_ = Torque::Zero(), inertia_noise_ = Torque::Zero();         // variances [(N m)^2], [(N m / kg)^2]
@@ -276,13 +281,30 @@ void JointTorqueModel<Scalar, Dofs>::follow_compensation(const TorqueBlock<Scala
                                                          const BlockContext<Scalar, Dofs>& context) noexcept {
   using std::abs;
   using std::exp;
-  constexpr double kDelay = 0.04;  // time constant until tau_ext shows a new compensation: drive, arm, observer [s]
+  JointVector<Scalar, Dofs> shown;
+  static const double kDelay = std::getenv("KDELAY") ? std::atof(std::getenv("KDELAY")) : 0.04;  // time constant until tau_ext shows a new compensation: drive, arm, observer [s]
   const Scalar keep = exp(-block.duration / Scalar(kDelay));
   for (int j = 0; j < Dofs; ++j) {
     pending_[j] += abs(context.compensation_change[j]);
+    owed_[j] += context.compensation_change[j];
+    shown[j] = (Scalar(1) - keep) * owed_[j];
+    owed_[j] *= keep;
     if (context.friction_shows) torque_change_[j] += (Scalar(1) - keep) * pending_[j];
     pending_[j] *= keep;
   }
+  Matrix6<Scalar> A = Matrix6<Scalar>::Zero();
+  Vector6<Scalar> b = Vector6<Scalar>::Zero();
+  for (int i = 0; i < 6; ++i) A(i, i) = Scalar(1e-3);
+  for (int j = 0; j < Dofs; ++j) {
+    const Vector6<Scalar> row = detail::column(block.jacobian, j);
+    detail::add_outer(A, row, row);
+    detail::add_scaled(b, shown[j], row);
+  }
+  const Cholesky<Scalar, 6> factor(A);
+  if (factor.positive_definite())
+    answer_ = detail::scaled(Scalar(-1), Vector6<Scalar>(factor.solve(b)));
+  else
+    answer_.setZero();
 }
 
 /// Computes how far each joint's friction has turned over since the last block: the change of v / (|v| + kTurns), which

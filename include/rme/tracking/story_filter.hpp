@@ -61,9 +61,9 @@ class StoryFilter {
     if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) child.star.end_pour();
     if (child.mode == Mode::Disturbed) {
       if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt)
-        child.disturbance.begin(rated_);
+        transition.softly ? child.disturbance.begin_softly(rated_) : child.disturbance.begin(rated_);
       else
-        child.disturbance.predict(child.how, duration, rated_);
+        child.disturbance.predict(model_, child.how, duration, rated_);
       return child.disturbance.observe(model_, child.star, child.how, log_jolt(), rated_, out.squared);
     }
     if (transition.turned) return turn(child, parent, children, out);
@@ -154,7 +154,7 @@ class StoryFilter {
     Tale& wrench = children.drawn();
     wrench.star = child.star;
     wrench.disturbance = parent.disturbance;
-    wrench.disturbance.predict(parent.how, model_.block().duration, rated_);
+    wrench.disturbance.predict(model_, parent.how, model_.block().duration, rated_);
     Scalar log_likelihood =
         wrench.disturbance.observe(model_, wrench.star, parent.how, log_jolt(), rated_, out.squared);
     log_likelihood += wrench.disturbance.weigh(model_, child.star, payload_, rated_);

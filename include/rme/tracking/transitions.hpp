@@ -1,6 +1,7 @@
 #pragma once
 /// What may happen to the hand from one block to the next.
 #include <algorithm>
+#include <cstdlib>
 #include <rme/tracking/disturbance.hpp>
 #include <rme/tracking/mode.hpp>
 #include <rme/tracking/sensing_kind.hpp>
@@ -20,6 +21,7 @@ struct Transition {
   bool late = false;                  ///< of such a payload: the change has shown that the observer is not as stated
   bool never = false;                 ///< of Mode::Empty: there has been no payload since this one was drawn
   bool swings = false;                ///< of Mode::Held: the payload swings
+  bool softly = false;
   bool turned = false;                ///< of such a payload: the wrench that acted has been its weight all along
 };
 
@@ -51,7 +53,7 @@ struct Transitions {
   static constexpr double kLate = 0.5;
   static constexpr int kSlow = 10;  ///< blocks from one pour that begins to the next
   static constexpr int kSoon = 5;   ///< blocks from one pour that ends, or wrench that turns out a weight, to the next
-  static constexpr int kMost = 11;  ///< most transitions of one story
+  static constexpr int kMost = 12;  ///< most transitions of one story
 
   /// Calls use(transition) for each transition of a story.
   /// @param story      the parent
@@ -120,6 +122,13 @@ struct Transitions {
           disturbed(kind.jolt, Disturbing::Jolt);
         }
         if (slow) use(to(Mode::Pouring, pours * kSlow));
+        static const double kSoft = std::getenv("KSOFT") ? std::atof(std::getenv("KSOFT")) : 1e-3;
+        if (slow) {
+          Transition t = to(Mode::Disturbed, kSoft * kind.slowly * kSlow);
+          t.how = Disturbing::Growing;
+          t.softly = true;
+          use(t);
+        }
         if (!empty && !explained) use(to(Mode::Empty, at_once));
         if (never > 0 && slow) {
           Transition none = to(Mode::Empty, never * kSlow);
