@@ -258,12 +258,10 @@ TEST_CASE("ContactMonitor: what it reports is finite, whatever happens", "[conta
     if (k % 1700 == 0) monitor.decide(rme::ContactCause::Arm);
     monitor.update(residual, J, dq, k % 50 == 0 ? 0.1 : 1e-3, 1e-3 * k);
     if (k % 20 == 0) monitor.judge(k % 200 != 0, 1e-3 * (k - 20));
-    if (!finite(monitor.state())) {
-      CAPTURE(k, size);
-      FAIL("not finite");
-    }
+    CAPTURE(k, size);
+    REQUIRE(finite(monitor.state()));
   }
-  SUCCEED();
+  CHECK(monitor.state().last.number > 0);  // there were contacts among them
 }
 
 TEST_CASE("ContactMonitor: no torque at all is no contact, and the variance keeps its floor", "[contact]") {
