@@ -246,6 +246,8 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   const TrackerBelief<Scalar>& belief = tracker_.belief();
   state_.probability = belief.probability;
   state_.held = Scalar(1) - belief.empty;
+  state_.swinging = belief.swinging;
+  state_.swing_frequency = belief.swing_frequency;
   state_.inertial = belief.payload;
   state_.health = belief.health;
   state_.sensing = belief.sensing;

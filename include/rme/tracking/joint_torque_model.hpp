@@ -115,9 +115,10 @@ class JointTorqueModel {
     }
   }
   /// The measurement of joint j in this block.
-  /// @param j     0 .. Dofs - 1
-  /// @param mass  mass of the payload [kg]; the noise of dq makes a noise of its inertia force
-  JointObservation<Scalar> observation(int j, Scalar mass) const noexcept;
+  /// @param j       0 .. Dofs - 1
+  /// @param mass    mass of the payload [kg]; the noise of dq makes a noise of its inertia force
+  /// @param swings  whether the payload swings
+  JointObservation<Scalar> observation(int j, Scalar mass, bool swings = false) const noexcept;
   /// Variance that a jump of joint j's stiction would add in this block [(N m)^2]: a joint that rests while others move
   /// may come loose and stick again. 0 if the joint moves, if the whole arm rests, and if the torque shows no friction.
   /// @param star  has the joint's Coulomb friction
@@ -344,7 +345,7 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
 }
 
 template <typename Scalar, int Dofs>
-JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scalar mass) const noexcept {
+JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scalar mass, bool swings) const noexcept {
   using std::abs;
   JointObservation<Scalar> o;
   o.torque = block_.tau[j];
@@ -352,7 +353,8 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
   for (int i = 0; i < 4; ++i) o.h[kTool + i] = block_.regressor(j, i);
   for (int i = 0; i < 2; ++i) o.h[kTilt + i] = tilt_(j, i);
   for (int i = 0; i < kInertial; ++i) o.h[kPayload + i] = block_.regressor(j, i);
-  for (int i = 0; i < 4; ++i) o.h[kPoured + i] = block_.regressor(j, i);
+  for (int i = 0; i < 4; ++i) o.h[kPoured + i] = swings ? Scalar(0) : block_.regressor(j, i);
+  for (int i = 0; swings && i < 3; ++i) o.h[kSwing + i] = block_.jacobian(i, j);
   o.noise = noise_.variance(j) + timing_noise_[j] + mass * mass * inertia_noise_[j];
   const JointFriction<Scalar>& friction = regime_.joint(j);
   const Scalar v = block_.velocity[j], slow = static_cast<Scalar>(kind_.slow);

@@ -29,6 +29,9 @@ struct TrackerBelief {
   /// Normalised innovation squared, averaged over a second (docs/theory.md (T30)): 1 if the torque is as the model
   /// predicts it, at most 100.
   Scalar health = Scalar(1);
+  Scalar swinging = Scalar(0);         ///< probability that what is held swings
+  Scalar swing_frequency = Scalar(0);  ///< of the likeliest story in which it does; 0 if unknown [Hz]
+  Vector3<Scalar> swing_square = Vector3<Scalar>::Zero();  ///< mean square of the swing's force [N^2], world axes
 };
 
 /// Runs Histories for each kind of torque sensing, and averages their estimates by the probabilities of the kinds
@@ -228,7 +231,7 @@ class Tracker {
     InertialVector<Scalar> mean = InertialVector<Scalar>::Zero();
     InertialMatrix<Scalar> square = InertialMatrix<Scalar>::Zero();  // about the last mean, which is near
     const InertialVector<Scalar> near = belief_.payload.mean;
-    Scalar held = Scalar(0), all = Scalar(0);
+    Scalar held = Scalar(0), all = Scalar(0), heaviest = Scalar(0);
     each(share, [&](const Kind& kind, int i, Scalar w) {
       const Story<Scalar, Dofs>& story = kind.story(i);
       out.probability[story.mode] += w;
@@ -236,6 +239,12 @@ class Tracker {
       for (int n = 0; n < 4; ++n) out.tool[n] += w * story.star.mean()[kTool + n];
       if (!kind.holds(i)) return;
       held += w;
+      if (story.star.swings()) {
+        out.swinging += w;
+        detail::add_scaled(out.swing_square, w, story.swing.square());
+        if (w > heaviest) out.swing_frequency = story.swing.frequency();
+        heaviest = std::max(heaviest, w);
+      }
       InertialGaussian<Scalar> payload = kind.payload(i);
       const auto spread = static_cast<Scalar>(kind.model().kind().spread);
       const auto gain = static_cast<Scalar>(kind.model().kind().gain);
@@ -248,6 +257,8 @@ class Tracker {
     });
     for (Scalar& p : out.probability.values) p /= all;
     out.tool /= all;
+    out.swinging /= all;
+    out.swing_square /= all;
     out.empty = std::max(Scalar(0), (all - held) / all);
     if (held > 0) {
       mean /= held;
