@@ -229,7 +229,8 @@ class EnumeratedStories {
         child.swing.predict(child.star, duration);
       } else if (swings) {
         child.star.widen_payload(0.03 * 0.03 * std::exp(-child.held_for / 0.3));
-        child.swing.begin(child.star, weight(child.star));
+        child.swing.begin(child.star, weight(child.star), false);
+        child.swing.predict(child.star, duration);
         child.log_none.reset();
       }
       out = observe(model, child.star, nullptr, swings ? &child.swing : nullptr);
@@ -254,7 +255,7 @@ class EnumeratedStories {
     star.draw_payload(prior_.mean(), factor);
     if (log_none != nullptr) *log_none = oracle::log_normal(prior_.mean(), oracle::square(factor));
     if (swinging != nullptr) {
-      swinging->swing.begin(star, weight(shown));
+      swinging->swing.begin(star, weight(shown), true);
       swinging->log_none.reset();
     }
     return observe(model, star, nullptr, swinging != nullptr ? &swinging->swing : nullptr);

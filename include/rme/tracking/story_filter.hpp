@@ -118,12 +118,13 @@ class StoryFilter {
       child.log_plausible = Scalar(0);
       child.held_for = Scalar(0);
       draw(child, children.first(), out);
-      if (transition.swings) begin_swing(child, children.first().star);
+      if (transition.swings) begin_swing(child, children.first().star, true);
     } else if (transition.swings && parent.star.swings()) {
       child.swing.predict(child.star, duration);
     } else if (transition.swings) {  // so it may have swung before, unnoticed
       child.star.widen_payload(Swing<Scalar, Dofs>::hidden(child.held_for));
-      begin_swing(child, child.star);
+      begin_swing(child, child.star, false);
+      child.swing.predict(child.star, duration);
     }
     child.held_for += duration;
     log_likelihood += update(child, out);
@@ -143,9 +144,10 @@ class StoryFilter {
   }
   /// What is held swings from now on.
   /// @param shown  has its mass
-  void begin_swing(Tale& story, const Star& shown) noexcept {
+  /// @param goes   as in Swing
+  void begin_swing(Tale& story, const Star& shown, bool goes) noexcept {
     story.log_none.reset();  // without the payload, nothing would swing
-    story.swing.begin(story.star, weight(shown));
+    story.swing.begin(story.star, weight(shown), goes);
   }
   /// What was taken for a wrench has been a weight all along. The blocks since it began are as likely as with the wrench,
   /// times how much better or worse a payload explains what is known of the wrench.

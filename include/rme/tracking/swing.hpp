@@ -23,11 +23,12 @@ class Swing {
   /// A swing that nothing is known of.
   /// @param star    state; from here on it has the force as an unknown of its own
   /// @param weight  of the payload [N], > 0
-  void begin(Star& star, Scalar weight) noexcept {
+  /// @param goes    it goes on already; otherwise the force is 0 as yet
+  void begin(Star& star, Scalar weight, bool goes) noexcept {
     const Scalar force = Scalar(kForce) * weight;
     *this = Swing();
     variance_.setConstant(force * force);
-    star.begin_swing(variance_);
+    star.begin_swing(goes ? variance_ : Vector3<Scalar>(Vector3<Scalar>::Zero()));
     for (int i = 0; i < 3; ++i) rate_.covariance(i, i) = Scalar(kReturn * kReturn) * variance_[i];
   }
   /// Time update of the force and of its rate.
@@ -97,8 +98,9 @@ class Swing {
     side_ = side;
     since_ = Scalar(0);
   }
-  /// Mean square of the force in each direction [N^2], world axes: of what is expected, and of what it was in the last second.
-  Vector3<Scalar> square() const noexcept { return variance_.cwiseMax(moves_); }
+  /// Mean square of the force in each direction in the last second [N^2], world axes. 0 until it has gone to both sides: a
+  /// force that only grows may be a touch.
+  Vector3<Scalar> square() const noexcept { return half_ > 0 ? moves_ : Vector3<Scalar>(Vector3<Scalar>::Zero()); }
   /// Frequency of the swing, from the times between its turns; 0 before there were two [Hz].
   Scalar frequency() const noexcept { return half_ > 0 ? Scalar(0.5) / half_ : Scalar(0); }
 
