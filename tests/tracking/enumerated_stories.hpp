@@ -73,7 +73,7 @@ class EnumeratedStories {
         add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, std::log(probability)));
     };
     const auto drawn = [&](double probability, bool late) {
-      const double hangs = p.mode == Mode::Held ? 0 : Transitions::kHangs * kind.swings;
+      const double hangs = p.mode == Mode::Held ? 0 : Transitions::kHangs * kind.faint;
       child(Mode::Held, probability * (1 - hangs), Disturbing::Hand, true, false, late);
       child(Mode::Held, probability * hangs, Disturbing::Hand, true, false, late, false, false, true);
     };
@@ -87,7 +87,7 @@ class EnumeratedStories {
       const bool swings = p.star.swings();
       const double turns = p.mode == Mode::Empty ? 0
                            : swings              ? Transitions::kSwingEnds
-                                                 : Transitions::kSwings * kind.swings;
+                                                 : Transitions::kSwings * kind.faint;
       child(p.mode,
             1 - (p.mode == Mode::Held ? 1.6 : 1.3) * c - never - Transitions::kDisturbs - kind.jolt - pours - turns -
                 (p.mode == Mode::Empty ? kind.takes_up : 0),

@@ -15,6 +15,7 @@ using rme::Disturbing;
 using rme::kInertial;
 using rme::kJointNuisances;
 using rme::kShared;
+using rme::Sensing;
 constexpr int kDofs = 3;
 constexpr double kRated = 3;
 constexpr double kNone = -std::numeric_limits<double>::infinity();  // log probability
@@ -26,9 +27,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// A model in a random block.
 /// @param shaken  posterior variance of the flange's acceleration [(m/s^2)^2]
 /// @param loud    size of the torque, in twice a newton metre
-Model random_model(std::mt19937& random, double shaken = 0, double loud = 1) {
-  Model model(rme::kind_of(rme::Sensing::JointFriction), rme::ArmPrior<double, kDofs>::of(kRated), kRated, 0.02,
-              {0, 0, -9.81});
+Model random_model(std::mt19937& random, double shaken = 0, double loud = 1, Sensing sensing = Sensing::JointFriction) {
+  Model model(rme::kind_of(sensing), rme::ArmPrior<double, kDofs>::of(kRated), kRated, 0.02, {0, 0, -9.81});
   rme::TorqueBlock<double, kDofs> block;
   block.duration = 0.02;
   block.samples = 20;
@@ -82,7 +82,9 @@ TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of dense Gaus
   for (int trial = 0; trial < 40; ++trial) {
     const Disturbing how = trial % 2 == 0 ? Disturbing::Hand : Disturbing::Still;
     const double loud = trial % 4 < 2 ? 1 : 30;
-    CAPTURE(trial, loud);
+    const Sensing sensing = trial % 8 < 4 ? Sensing::LinkSide : Sensing::JointFriction;
+    const double touches = sensing == Sensing::LinkSide ? 0.5 : 0;
+    CAPTURE(trial, loud, touches);
     Star star = random_star(random);
     Disturbance disturbance;
     disturbance.begin(kRated);
@@ -90,7 +92,7 @@ TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of dense Gaus
     for (int k = 0; k < 3; ++k) {  // from the second block on, something is known of the wrench
       CAPTURE(k);
       if (k > 0) disturbance.predict(how, 0.02, kRated);
-      const Model model = random_model(random, 0, k == 2 ? loud : 1);
+      const Model model = random_model(random, 0, k == 2 ? loud : 1, sensing);
       // tau = h^T x + c^T beta + J^T w + noise. Jointly with x the wrench is not: x keeps its distribution.
       // What is not known of the payload does not count.
       Matrix P = star.covariance();
@@ -119,7 +121,9 @@ TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of dense Gaus
       for (const double size : {1.0, 0.1}) {
         if (how != Disturbing::Hand) break;
         const Matrix prior = size * size * any_wrench();
-        const double log_one = std::log((begins ? 1 : 0.001) / 2) + oracle::log_normal(e, with(prior));
+        const double probability = !begins ? (size < 1 ? 0 : 0.001) : size < 1 ? touches : 1 - touches;
+        if (!(probability > 0)) break;
+        const double log_one = std::log(probability) + oracle::log_normal(e, with(prior));
         all_anew = log_sum(all_anew, log_one);
         if (log_one > anew) other = prior;
         anew = std::max(anew, log_one);

@@ -34,7 +34,7 @@ class Disturbance {
   using Model = JointTorqueModel<Scalar, Dofs>;  ///< model of the arm
 
   /// A wrench that nothing is known of: N(0, s^2 W) with W for hands and obstacles beside an arm for `rated_payload` [kg],
-  /// and s = 1, or 0.1 for a touch. The first block shows which.
+  /// and s = 1; or 0.1 for a touch, if the torque shows one. The first block says which.
   void begin(Scalar rated_payload) noexcept {
     begin(rated_payload, Scalar(1));
     begins_ = true;
@@ -50,7 +50,7 @@ class Disturbance {
     if (how != Disturbing::Growing) return;
     Scalar square = Scalar(0.01) * rated_payload * rated_payload;
     for (int i = 0; i < 3; ++i) square = std::max(square, mean_[i] * mean_[i]);
-    const Scalar growth = Scalar(kGrowth * kGrowth) * rated_payload * rated_payload * blocks / square;
+    const Scalar growth = size_ * size_ * Scalar(kGrowth * kGrowth) * rated_payload * rated_payload * blocks / square;
     detail::add_outer(covariance_, detail::scaled(growth, mean_), mean_);
   }
   /// Takes in the block of the model's last begin(): learns the wrench, and the arm's nuisances in `star`. Of a jolt nothing
@@ -86,21 +86,22 @@ class Disturbance {
     if (how == Disturbing::Jolt) return jolt_density(model, known, e, rated);
     const Scalar log_jolt = jolt > kNone ? jolt + jolt_density(model, known, e, rated) : kNone;
     Fit fit(J, known, e, mean_, covariance_);
+    // A hand that begins pushes or touches, and later it may push anew.
     const bool begins = begins_ && how == Disturbing::Hand;
-    const auto log_each = static_cast<Scalar>(std::log((begins ? 1 : kAnew) / 2));  // of a large wrench, and of a touch
-    if (begins) fit.log_density += log_each;
-    Scalar log_likelihood = log_sum(fit.log_density, log_jolt), anew = Scalar(0);
-    for (const Scalar size : {Scalar(1), Scalar(kTouch)}) {
-      if (how != Disturbing::Hand || (begins && size == size_)) continue;
-      Fit other(J, known, e, Vector6<Scalar>::Zero(), any(size * rated));
-      other.log_density += log_each;
-      log_likelihood = log_sum(log_likelihood, other.log_density);
-      if (!(other.log_density > fit.log_density)) continue;
-      fit = other;
-      anew = size;
+    const Scalar size = Scalar(begins ? kTouch : 1);
+    const double touches = 0.5 * model.kind().faint, other = begins ? touches : kAnew;
+    if (begins) fit.log_density += static_cast<Scalar>(std::log(1 - touches));
+    Scalar log_likelihood = log_sum(fit.log_density, log_jolt);
+    bool anew = false;
+    if (how == Disturbing::Hand && other > 0) {
+      Fit afresh(J, known, e, Vector6<Scalar>::Zero(), any(size * rated));
+      afresh.log_density += static_cast<Scalar>(std::log(other));
+      log_likelihood = log_sum(log_likelihood, afresh.log_density);
+      anew = afresh.log_density > fit.log_density;
+      if (anew) fit = afresh;
     }
     if (log_jolt > fit.log_density) return log_likelihood;
-    if (anew > 0) begin(rated, anew);
+    if (anew) begin(rated, size);
     begins_ = false;
     const Eigen::Matrix<Scalar, Dofs, 6>& cross = fit.cross;
     const Eigen::Matrix<Scalar, Dofs, 6> gain = fit.factor.solve_lower(cross);
@@ -198,7 +199,7 @@ class Disturbance {
   static constexpr double kOwn = 2e-4;          // tremble of a growing wrench in all directions
   static constexpr double kGrowth = 0.0265;     // its growth along itself in kTrembleTime, per rated payload [N/kg]
   static constexpr double kAnew = 1e-3;         // probability per block that a hand pushes anew, in any way
-  static constexpr double kTouch = 0.1;         // s of a touch, which is as likely as a large wrench
+  static constexpr double kTouch = 0.1;         // s of a touch
   static constexpr double kJolt = 3;            // torque of a jolt, times the joint's scale [N m]
   static constexpr double kLarger = 10;         // the next size of a jolt, relative to the last one
   static constexpr int kSizes = 3;              // of jolts, each as likely as the others

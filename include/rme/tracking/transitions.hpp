@@ -92,7 +92,7 @@ struct Transitions {
       t.swings = true;
       if (hangs > 0) use(t);
     };
-    const double hangs = kHangs * kind.swings;
+    const double hangs = kHangs * kind.faint;
     switch (story.mode) {
       case Mode::Empty:
       case Mode::Held: {
@@ -101,7 +101,7 @@ struct Transitions {
         const double at_once = kAtOnce * change;
         const double never = !empty && story.log_none ? at_once : 0;
         const bool swings = story.star.swings();
-        const double turns = empty ? 0 : swings ? kSwingEnds : kSwings * kind.swings;
+        const double turns = empty ? 0 : swings ? kSwingEnds : kSwings * kind.faint;
         goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up - turns);
         if (turns > 0 && (swings ? soon : !explained)) {
           Transition t = to(Mode::Held, swings ? turns * kSoon : turns);
