@@ -117,11 +117,13 @@ class Estimator {
   static constexpr int kChildren = 16;        // children that a busy block has, over all kinds of sensing
   static constexpr int kManyChildren = 1000;  // more than a block can have
 
-  /// phi of the payload, as state() has it; but the first moment, known together with the mass, is not bounded.
+  /// phi of the payload, as state() has it; but the first moment, known together with the mass, is not bounded. Only a
+  /// share of what may be no weight is in it.
   InertialVector<Scalar> body() const noexcept {
     InertialVector<Scalar> phi = detail::scaled(state_.held, state_.inertial.mean);
     phi[0] = carried_[0];
     for (int i = 1; i < 4; ++i) phi[i] = carried_[0] * carried_[i];
+    for (int i = 0; i < 4; ++i) phi[i] -= state_.held * doubted_[i];
     return phi;
   }
   Scalar share() const noexcept {
@@ -146,7 +148,8 @@ class Estimator {
   RemovalGuard<Scalar, Dofs> guard_;
   ContactWatch<Scalar, Dofs> watch_;
   EstimatorState<Scalar> state_;
-  Vector4<Scalar> carried_ = Vector4<Scalar>::Zero();                 // (m, r) of body()
+  Vector4<Scalar> carried_ = Vector4<Scalar>::Zero();                 // (m, r) of the payload
+  Vector4<Scalar> doubted_ = Vector4<Scalar>::Zero();                 // (m, m r) of what is not carried
   Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();  // of the last good sample
   Matrix3<Scalar> rotation_ = Matrix3<Scalar>::Identity();
   int steps_per_tick_;
@@ -270,7 +273,9 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
       held.mean[1 + i] = Scalar(0);
     }
   }
-  held.covariance(0, 0) = std::max(variance, least * least);
+  const Scalar undecided = (Scalar(1) - empty) * belief.undecided[0];  // a weight, or none
+  held.covariance(0, 0) = std::max(variance + Scalar(0.25) * undecided * undecided, least * least);
+  doubted_ = belief.doubted();
   carried_ = held.mean;
   for (int i = 1; i < 4 && !state_.empty(); ++i) carried_[i] = free.mean[i];
   state_.payload = held;

@@ -144,6 +144,15 @@ class JointTorqueModel {
   void interrupt() noexcept { noise_.interrupt(); }                           ///< something happened in this block
   const SensorNoise<Scalar, Dofs>& noise() const noexcept { return noise_; }  ///< learned noise and residual
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< the block of the last begin()
+  /// Whether the host says that the payload changes now.
+  bool exchange_likely() const noexcept { return exchange_likely_; }
+  /// How far the end effector has gone up in the block of the last begin() [m].
+  Scalar risen() const noexcept {
+    Scalar along = Scalar(0);  // of the velocity, along gravity
+    for (int j = 0; j < Dofs; ++j)
+      for (int i = 0; i < 3; ++i) along += gravity_[i] * block_.jacobian(i, j) * block_.velocity[j];
+    return -along * block_.duration / std::sqrt(detail::dot(gravity_, gravity_));
+  }
   const Vector3<Scalar>& gravity() const noexcept { return gravity_; }        ///< g [m/s^2], world axes
   const SensingKind& kind() const noexcept { return kind_; }                  ///< row of the kind of torque sensing
   const ArmPrior<Scalar, Dofs>& arm() const noexcept { return arm_; }         ///< with the friction that the kind sees
@@ -187,7 +196,7 @@ class JointTorqueModel {
   ArmPrior<Scalar, Dofs> arm_;
   Scalar rated_, inertia_arm_;
   SensorNoise<Scalar, Dofs> noise_;
-  bool started_ = false, friction_shows_ = false;
+  bool started_ = false, friction_shows_ = false, exchange_likely_ = false;
   TorqueBlock<Scalar, Dofs> block_;
   FrictionRegime<Scalar, Dofs> regime_;
   // How far friction has turned over in this block, and the decaying maximum of that (turn()).
@@ -248,6 +257,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   block_ = block;
   regime_ = regime;
   friction_shows_ = context.friction_shows;
+  exchange_likely_ = context.exchange_likely;
 }
 
 /// The friction of a resting joint balances all other torques: it changes when the motor's torque changes, and tau_ext

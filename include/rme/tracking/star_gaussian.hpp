@@ -54,6 +54,18 @@ class StarGaussian {
     for (int i = 0; i < kInertial; ++i) phi[i] = mean_[kPayload + i] + (poured(i) ? mean_[kPoured + i] : Scalar(0));
     return phi;
   }
+  /// Mean of the payload's (m, m r), with what was poured.
+  Vector4<Scalar> body() const noexcept {
+    Vector4<Scalar> body;
+    for (int i = 0; i < 4; ++i) body[i] = mean_[kPayload + i] + (poured(i) ? mean_[kPoured + i] : Scalar(0));
+    return body;
+  }
+  /// Mean of what has been poured since the pour began, (m, m r); 0 if nothing is.
+  Vector4<Scalar> poured_body() const noexcept {
+    Vector4<Scalar> body = Vector4<Scalar>::Zero();
+    for (int i = 0; i < 4 && poured(i); ++i) body[i] = mean_[kPoured + i];
+    return body;
+  }
   /// Covariance of the payload's phi, with what was poured.
   InertialMatrix<Scalar> payload_covariance() const noexcept {
     Eigen::Matrix<Scalar, kInertial, kShared> rows;

@@ -8,6 +8,7 @@
 #include <rme/tracking/pour.hpp>
 #include <rme/tracking/star_gaussian.hpp>
 #include <rme/tracking/swing.hpp>
+#include <rme/tracking/undecided.hpp>
 
 namespace rme {
 
@@ -18,6 +19,7 @@ struct Story {
   Disturbance<Scalar, Dofs> disturbance;  ///< of Mode::Disturbed
   Pour<Scalar, Dofs> pour;                ///< of Mode::Pouring
   Swing<Scalar, Dofs> swing;              ///< if the payload swings: star.swings()
+  Undecided<Scalar> undecided;            ///< part of the payload that may be no weight
   Mode mode = Mode::Empty;                ///< of the last block
   Disturbing how = Disturbing::Hand;      ///< of Mode::Disturbed
   bool quick = false;                     ///< of Mode::Pouring: it is taken up quickly

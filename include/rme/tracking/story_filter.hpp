@@ -58,7 +58,17 @@ class StoryFilter {
     const Scalar duration = model_.block().duration;
     model_.predict(child.star);
     if (!transition.swings) child.star.end_swing();
-    if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) child.star.end_pour();
+    if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) {
+      child.star.end_pour();
+      child.undecided.end_pour();
+    }
+    if (child.mode == Mode::Empty) child.undecided = {};
+    if (transition.turned)
+      child.undecided.turn();
+    else if (transition.anew)
+      child.undecided.exchange();
+    else if (child.mode == Mode::Changing && parent.mode != Mode::Changing)
+      child.undecided.change(model_.exchange_likely());
     if (child.mode == Mode::Disturbed) {
       if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt)
         child.disturbance.begin(rated_);
@@ -73,6 +83,7 @@ class StoryFilter {
         drawn.star = child.star;
         drawn.mode = Mode::Held;
         draw(drawn, children.first(), out);
+        decide(child, drawn.star);
         return update(drawn, out) + log_plausible(drawn.star, kLightest);
       }
       Star star = child.star;
@@ -102,6 +113,7 @@ class StoryFilter {
         if (child.payload == 0) model_.suppose_hidden(child.star, payload_.com_mean);
         child.log_none.reset();
         child.pour.begin(child.star, payload_, rated_, child.quick);
+        child.undecided.pour(model_.exchange_likely());
         if (child.payload == 0) {
           child.payload = child.take_next();
           child.held_for = Scalar(0);
@@ -128,6 +140,7 @@ class StoryFilter {
     }
     child.held_for += duration;
     log_likelihood += update(child, out);
+    decide(child, child.star);
     if (transition.swings) child.swing.learn(child.star, duration, weight(child.star));
     // What is poured begins with nothing. It may be as light as it likes, but not lighter than that.
     const Scalar plausible = log_plausible(child.star, child.mode == Mode::Pouring ? 0 : kLightest);
@@ -137,10 +150,16 @@ class StoryFilter {
   }
 
  private:
+  static Scalar norm(const Vector3<Scalar>& v) noexcept { return std::sqrt(detail::dot(v, v)); }
   /// The weight of the payload [N], of one that an arm like this one may hold.
   Scalar weight(const Star& star) const noexcept {
-    const Vector3<Scalar>& g = model_.gravity();
-    return std::sqrt(detail::dot(g, g)) * std::max(Scalar(kLightestSwing) * rated_, std::min(rated_, star.mass()));
+    return norm(model_.gravity()) * std::max(Scalar(kLightestSwing) * rated_, std::min(rated_, star.mass()));
+  }
+  /// Counts the block in what is undecided.
+  /// @param star  has what is held
+  void decide(Tale& story, const Star& star) noexcept {
+    story.undecided.update(star.body(), star.poured_body(), model_.block().duration, model_.risen(),
+                           norm(model_.gravity()));
   }
   /// What is held swings from now on.
   /// @param shown  has its mass
