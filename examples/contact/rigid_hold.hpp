@@ -27,7 +27,8 @@ struct RigidHoldResult {
   double force = 0;     ///< largest force between the hand and what holds it [N]
   double believed = 0;  ///< mass at the end [kg]
   double std = 0;       ///< its standard deviation [kg]
-  double sag = 0;       ///< how far the hand was below its target at most, from 0.3 s after what it lifts was off the table [m]
+  double sag =
+      0;  ///< how far the hand was below its target at most, from 0.3 s after what it lifts was off the table [m]
 };
 
 /// Simulates 10 s.
@@ -51,7 +52,8 @@ inline RigidHoldResult hold_fast(const RigidHold& hold) {
 
   RigidHoldResult result;
   bool grasped = false;
-  double stands = 0, off = kEnds;  // height at which the table bears all [m]; when it bore nothing for the first time [s]
+  double stands = 0,
+         off = kEnds;  // height at which the table bears all [m]; when it bore nothing for the first time [s]
   Eigen::Vector3d held = home.position;
   while (arm.time() < kEnds) {
     const double t = arm.time(), s = std::clamp((t - kRises) / hold.duration, 0.0, 1.0);
@@ -78,7 +80,8 @@ inline RigidHoldResult hold_fast(const RigidHold& hold) {
       if (t > off + 0.3) result.sag = std::max(result.sag, target.position.z() - now.position.z());
     }
     if (hold.announced && t > kRises && t < kRises + hold.duration) estimator->expect_change();
-    if (const Status status = estimator->update({arm.tau_ext(), now.jacobian, now.rotation, arm.dq()}); status != Status::Ok)
+    if (const Status status = estimator->update({arm.tau_ext(), now.jacobian, now.rotation, arm.dq()});
+        status != Status::Ok)
       throw std::runtime_error(to_string(status));
     JointVector<double, 7> torque = controller.torque(arm.q(), arm.dq(), now, arm.dynamics());
     if (hold.compensates) torque += estimator->compensation(now.jacobian, now.rotation);

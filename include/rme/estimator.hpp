@@ -117,13 +117,11 @@ class Estimator {
   static constexpr int kChildren = 16;        // children that a busy block has, over all kinds of sensing
   static constexpr int kManyChildren = 1000;  // more than a block can have
 
-  /// phi of the payload, as state() has it; but the first moment, known together with the mass, is not bounded. Only a
-  /// share of what may be no weight is in it.
+  /// phi of the payload, as state() has it; but the first moment, known together with the mass, is not bounded.
   InertialVector<Scalar> body() const noexcept {
     InertialVector<Scalar> phi = detail::scaled(state_.held, state_.inertial.mean);
     phi[0] = carried_[0];
     for (int i = 1; i < 4; ++i) phi[i] = carried_[0] * carried_[i];
-    for (int i = 0; i < 4; ++i) phi[i] -= state_.held * doubted_[i];
     return phi;
   }
   Scalar share() const noexcept {
@@ -131,6 +129,8 @@ class Estimator {
     const Scalar square = mass * mass;  // may underflow to zero
     return mass > 0 && square + variance > 0 ? square / (square + variance) : Scalar(0);
   }
+  /// Variance of a mass of which a share is a weight or none [kg^2].
+  Scalar doubt(Scalar mass) const noexcept { return Scalar(0.25) * state_.undecided * state_.undecided * mass * mass; }
   Scalar excess() const noexcept {
     return std::max(Scalar(1), state_.health / Scalar(EstimatorState<Scalar>::kHealthy));
   }
@@ -148,8 +148,7 @@ class Estimator {
   RemovalGuard<Scalar, Dofs> guard_;
   ContactWatch<Scalar, Dofs> watch_;
   EstimatorState<Scalar> state_;
-  Vector4<Scalar> carried_ = Vector4<Scalar>::Zero();                 // (m, r) of the payload
-  Vector4<Scalar> doubted_ = Vector4<Scalar>::Zero();                 // (m, m r) of what is not carried
+  Vector4<Scalar> carried_ = Vector4<Scalar>::Zero();                 // (m, r) of body()
   Jacobian<Scalar, Dofs> jacobian_ = Jacobian<Scalar, Dofs>::Zero();  // of the last good sample
   Matrix3<Scalar> rotation_ = Matrix3<Scalar>::Identity();
   int steps_per_tick_;
@@ -219,8 +218,9 @@ void Estimator<Scalar, Dofs>::process() noexcept {
     if (!tracker_.advance()) continue;
     const TorqueBlock<Scalar, Dofs>& block = averager_.block();
     publish();
-    events_.update(state_.probability, block.end - static_cast<double>(block.duration), block.end, state_.time,
-                   state_.payload);
+    PayloadGaussian<Scalar> felt = state_.payload;  // for an event it does not matter whether it is a weight
+    felt.covariance(0, 0) -= doubt(felt.mean[0]);
+    events_.update(state_.probability, block.end - static_cast<double>(block.duration), block.end, state_.time, felt);
     state_.updated = block.end;
     watch_.judge(block, tracker_.belief(), events_);
     if (state_.probability[Mode::Held] + state_.probability[Mode::Pouring] > Scalar(0.9))
@@ -273,9 +273,8 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
       held.mean[1 + i] = Scalar(0);
     }
   }
-  const Scalar undecided = (Scalar(1) - empty) * belief.undecided[0];  // a weight, or none
-  held.covariance(0, 0) = std::max(variance + Scalar(0.25) * undecided * undecided, least * least);
-  doubted_ = belief.doubted();
+  state_.undecided = belief.undecided;
+  held.covariance(0, 0) = std::max(variance, least * least) + doubt(held.mean[0]);
   carried_ = held.mean;
   for (int i = 1; i < 4 && !state_.empty(); ++i) carried_[i] = free.mean[i];
   state_.payload = held;
@@ -285,7 +284,8 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
 template <typename Scalar, int Dofs>
 auto Estimator<Scalar, Dofs>::payload_torque(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
                                              const FlangeMotion<Scalar>& motion) const noexcept -> Torque {
-  InertialVector<Scalar> phi = detail::scaled(share() * guard_.share(), body());
+  const Scalar carried = Undecided<Scalar>::carried(state_.undecided);
+  InertialVector<Scalar> phi = detail::scaled(share() * guard_.share() * carried, body());
   for (int i = 0; i < 4; ++i) phi[i] += state_.tool[i];
   const bool good = plausible(jacobian) && plausible(rotation);
   const bool moves = plausible(motion.angular_velocity) && plausible(motion.linear_acceleration) &&

@@ -153,9 +153,9 @@ class JointTorqueModel {
       for (int i = 0; i < 3; ++i) along += gravity_[i] * block_.jacobian(i, j) * block_.velocity[j];
     return -along * block_.duration / std::sqrt(detail::dot(gravity_, gravity_));
   }
-  const Vector3<Scalar>& gravity() const noexcept { return gravity_; }        ///< g [m/s^2], world axes
-  const SensingKind& kind() const noexcept { return kind_; }                  ///< row of the kind of torque sensing
-  const ArmPrior<Scalar, Dofs>& arm() const noexcept { return arm_; }         ///< with the friction that the kind sees
+  const Vector3<Scalar>& gravity() const noexcept { return gravity_; }  ///< g [m/s^2], world axes
+  const SensingKind& kind() const noexcept { return kind_; }            ///< row of the kind of torque sensing
+  const ArmPrior<Scalar, Dofs>& arm() const noexcept { return arm_; }   ///< with the friction that the kind sees
 
  private:
   static constexpr double kStictionShare = 0.6;

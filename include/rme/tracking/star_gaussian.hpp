@@ -47,25 +47,15 @@ class StarGaussian {
   XMatrix covariance() const noexcept { return detail::outer_square(factor_); }  ///< of x, F F^T
   bool swings() const noexcept { return swings_; }                               ///< whether the payload swings
   /// Mean of the payload's mass, with what was poured [kg].
-  Scalar mass() const noexcept { return mean_[kPayload] + (poured(0) ? mean_[kPoured] : Scalar(0)); }
+  Scalar mass() const noexcept { return mean_[kPayload] + poured_mass(); }
   /// Mean of the payload's phi, with what was poured.
   InertialVector<Scalar> payload_mean() const noexcept {
     InertialVector<Scalar> phi;
     for (int i = 0; i < kInertial; ++i) phi[i] = mean_[kPayload + i] + (poured(i) ? mean_[kPoured + i] : Scalar(0));
     return phi;
   }
-  /// Mean of the payload's (m, m r), with what was poured.
-  Vector4<Scalar> body() const noexcept {
-    Vector4<Scalar> body;
-    for (int i = 0; i < 4; ++i) body[i] = mean_[kPayload + i] + (poured(i) ? mean_[kPoured + i] : Scalar(0));
-    return body;
-  }
-  /// Mean of what has been poured since the pour began, (m, m r); 0 if nothing is.
-  Vector4<Scalar> poured_body() const noexcept {
-    Vector4<Scalar> body = Vector4<Scalar>::Zero();
-    for (int i = 0; i < 4 && poured(i); ++i) body[i] = mean_[kPoured + i];
-    return body;
-  }
+  /// Mean of the mass that has been poured since the pour began [kg]; 0 if nothing is poured.
+  Scalar poured_mass() const noexcept { return poured(0) ? mean_[kPoured] : Scalar(0); }
   /// Covariance of the payload's phi, with what was poured.
   InertialMatrix<Scalar> payload_covariance() const noexcept {
     Eigen::Matrix<Scalar, kInertial, kShared> rows;

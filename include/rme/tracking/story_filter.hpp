@@ -158,7 +158,7 @@ class StoryFilter {
   /// Counts the block in what is undecided.
   /// @param star  has what is held
   void decide(Tale& story, const Star& star) noexcept {
-    story.undecided.update(star.body(), star.poured_body(), model_.block().duration, model_.risen(),
+    story.undecided.update(star.mass(), star.poured_mass(), model_.block().duration, model_.risen(),
                            norm(model_.gravity()));
   }
   /// What is held swings from now on.

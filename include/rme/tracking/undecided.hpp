@@ -1,7 +1,6 @@
 #pragma once
 /// Which part of a payload may be no weight but something rigid that holds the hand.
 #include <algorithm>
-#include <rme/core/types.hpp>
 
 namespace rme {
 
@@ -13,8 +12,6 @@ namespace rme {
 template <typename Scalar>
 class Undecided {
  public:
-  using Body = Vector4<Scalar>;  ///< (m, m r) [kg, kg m], end-effector axes
-
   /// Something is poured in from now on.
   /// @param certain  the host has said that the payload changes, so it is a weight
   void pour(bool certain) noexcept {
@@ -29,7 +26,7 @@ class Undecided {
   /// The payload changes from now on. If this takes long, it is felt little by little.
   /// @param certain  as in pour()
   void change(bool certain) noexcept {
-    all_ = !certain && (all_ || part()[0] > 0);
+    all_ = !certain && (all_ || part() > 0);
     begin(certain);
     changes_ = true;
   }
@@ -37,7 +34,7 @@ class Undecided {
   void exchange() noexcept {
     const Undecided before = *this;
     *this = Undecided();
-    all_ = before.all_ || before.part()[0] > 0;
+    all_ = before.all_ || before.part() > 0;
     risen_ = before.risen_;
   }
   /// What was taken for a wrench is a payload; but it may be a wrench.
@@ -46,19 +43,19 @@ class Undecided {
     all_ = true;
   }
   /// A block has passed.
-  /// @param payload   what is held
-  /// @param poured    part of it that has been poured in since pour(), if something pours
+  /// @param mass      of the payload [kg]
+  /// @param poured    mass that has been poured in since pour(), if something pours [kg]
   /// @param duration  of the block [s]
   /// @param risen     how far the hand has gone up in it [m]
   /// @param gravity   |g| [m/s^2]
-  void update(const Body& payload, const Body& poured, Scalar duration, Scalar risen, Scalar gravity) noexcept {
+  void update(Scalar mass, Scalar poured, Scalar duration, Scalar risen, Scalar gravity) noexcept {
     if (pours_) poured_ = poured;
     if (changes_ && !weight_) {
       lasts_ += duration;
       all_ = all_ || lasts_ > Scalar(kAtOnce);
     }
     risen_ += risen;
-    const Scalar weight = std::max(Scalar(0), of(payload)[0]) * gravity;
+    const Scalar weight = of(mass) * gravity;
     if (risen_ > -Scalar(kSlack) && risen_ < Scalar(kSlack) + weight / Scalar(kRigid)) return;
     const bool pours = pours_, changes = changes_;
     *this = Undecided();
@@ -66,37 +63,35 @@ class Undecided {
     changes_ = changes;
     weight_ = pours || changes;
   }
-  /// The part of the payload that is undecided.
-  /// @param payload  what is held
-  Body of(const Body& payload) const noexcept { return all_ ? payload : part(); }
+  /// How much of the payload's mass is undecided [kg].
+  /// @param mass  of the payload [kg]
+  Scalar of(Scalar mass) const noexcept { return std::max(Scalar(0), all_ ? mass : std::min(mass, part())); }
 
-  static constexpr double kShare = 0.2;  ///< share of it that is carried
+  /// Share of a payload that is carried.
+  /// @param undecided  share of it that is undecided
+  static Scalar carried(Scalar undecided) noexcept { return Scalar(1) - Scalar(1 - kShare) * undecided; }
 
  private:
+  static constexpr double kShare = 0.2;    // share that is carried of what is undecided
   static constexpr double kRigid = 5000;   // least stiffness of what is rigid [N/m]
   static constexpr double kSlack = 0.001;  // its play, and the drift of the integral of dq [m]
   static constexpr double kAtOnce = 0.1;   // longest change that is felt at once [s]
 
   void begin(bool certain) noexcept {
-    poured_.setZero();
-    risen_ = lasts_ = Scalar(0);
+    poured_ = risen_ = lasts_ = Scalar(0);
     weight_ = certain;
     pours_ = changes_ = false;
   }
-  Body part() const noexcept {
-    Body sum = kept_;
-    if (pours_ && !weight_) sum += poured_;
-    if (!(sum[0] > 0)) sum.setZero();
-    return sum;
-  }
-  Body kept_ = Body::Zero();         // of earlier pours
-  Body poured_ = Body::Zero();       // of the present one
-  Scalar risen_ = Scalar(0);         // how far the hand has gone up since it began, or was last decided [m]
-  Scalar lasts_ = Scalar(0);         // how long the payload has changed [s]
-  bool pours_ = false;               // something pours
-  bool changes_ = false;             // the payload changes
-  bool weight_ = false;              // what pours, or changes, is a weight
-  bool all_ = false;                 // all of the payload is undecided
+  Scalar part() const noexcept { return std::max(Scalar(0), kept_ + (pours_ && !weight_ ? poured_ : Scalar(0))); }
+
+  Scalar kept_ = Scalar(0);    // mass of earlier pours [kg]
+  Scalar poured_ = Scalar(0);  // of the present one [kg]
+  Scalar risen_ = Scalar(0);   // how far the hand has gone up since it began, or was last decided [m]
+  Scalar lasts_ = Scalar(0);   // how long the payload has changed [s]
+  bool pours_ = false;         // something pours
+  bool changes_ = false;       // the payload changes
+  bool weight_ = false;        // what pours, or changes, is a weight
+  bool all_ = false;           // all of the payload is undecided
 };
 
 }  // namespace rme
