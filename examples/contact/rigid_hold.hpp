@@ -27,8 +27,7 @@ struct RigidHoldResult {
   double force = 0;     ///< largest force between the hand and what holds it [N]
   double believed = 0;  ///< mass at the end [kg]
   double std = 0;       ///< its standard deviation [kg]
-  double sag =
-      0;  ///< how far the hand was below its target at most, from 0.3 s after what it lifts was off the table [m]
+  double sag = 0;       ///< how far the hand was below its target at most, from 0.3 s after the rise [m]
 };
 
 /// Simulates 10 s.
@@ -52,8 +51,8 @@ inline RigidHoldResult hold_fast(const RigidHold& hold) {
 
   RigidHoldResult result;
   bool grasped = false;
-  double stands = 0,
-         off = kEnds;  // height at which the table bears all [m]; when it bore nothing for the first time [s]
+  double stands = 0;    // height at which the table bears all [m]
+  bool lifted = false;  // off the table
   Eigen::Vector3d held = home.position;
   while (arm.time() < kEnds) {
     const double t = arm.time(), s = std::clamp((t - kRises) / hold.duration, 0.0, 1.0);
@@ -71,13 +70,13 @@ inline RigidHoldResult hold_fast(const RigidHold& hold) {
     }
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     if (grasped && hold.mass > 0)
-      force.z() = std::max(0.0, kTable * (stands - now.position.z()) - (off < kEnds ? 0 : kDamping * velocity.z()));
+      force.z() = std::max(0.0, kTable * (stands - now.position.z()) - (lifted ? 0 : kDamping * velocity.z()));
     else if (grasped)
       force = -kRigid * (now.position - held) - kDamping * velocity;
     if (grasped && t > kRises) {
       result.force = std::max(result.force, force.norm());
-      if (hold.mass > 0 && !(force.z() > 0)) off = std::min(off, t);
-      if (t > off + 0.3) result.sag = std::max(result.sag, target.position.z() - now.position.z());
+      lifted = lifted || !(force.z() > 0);
+      if (t > kRises + hold.duration + 0.3) result.sag = std::max(result.sag, target.position.z() - now.position.z());
     }
     if (hold.announced && t > kRises && t < kRises + hold.duration) estimator->expect_change();
     if (const Status status = estimator->update({arm.tau_ext(), now.jacobian, now.rotation, arm.dq()});
