@@ -62,13 +62,10 @@ class StoryFilter {
       child.star.end_pour();
       child.undecided.end_pour();
     }
-    if (child.mode == Mode::Empty) child.undecided = {};
-    if (transition.turned)
-      child.undecided.turn();
-    else if (transition.anew)
-      child.undecided.exchange();
-    else if (child.mode == Mode::Changing && parent.mode != Mode::Changing)
-      child.undecided.change(model_.exchange_likely());
+    if (child.mode == Mode::Empty) child.undecided.let_go();
+    if (child.mode == Mode::Empty || child.mode == Mode::Disturbed) decide(child, child.star);
+    if (transition.anew) child.undecided.exchange();
+    if (child.mode == Mode::Changing && parent.mode != Mode::Changing) child.undecided.change(model_.exchange_likely());
     if (child.mode == Mode::Disturbed) {
       if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt)
         child.disturbance.begin(rated_);

@@ -1,14 +1,15 @@
 #pragma once
 /// Which part of a payload may be no weight but something rigid that holds the hand.
 #include <algorithm>
+#include <cmath>
 
 namespace rme {
 
 /// A hand that is held by something rigid feels the robot's compensation as further weight, so that a robot which carries
 /// all that it feels drives both up. Weight and support differ in one thing: what is rigid resists each millimetre of
 /// motion with some newtons. So what is felt little by little is undecided until the hand has moved up or down with it
-/// (docs/theory.md (T67)). What is felt at once is a payload, unless something undecided came before. Real time: nothing
-/// allocates.
+/// (docs/theory.md (T67)), also in the moment before it was noticed. What is felt at once is a payload, unless something
+/// undecided came before. Real time: nothing allocates.
 template <typename Scalar>
 class Undecided {
  public:
@@ -37,10 +38,10 @@ class Undecided {
     all_ = before.all_ || before.part() > 0;
     risen_ = before.risen_;
   }
-  /// What was taken for a wrench is a payload; but it may be a wrench.
-  void turn() noexcept {
-    *this = Undecided();
-    all_ = true;
+  /// Nothing is held any more.
+  void let_go() noexcept {
+    exchange();
+    all_ = false;
   }
   /// A block has passed.
   /// @param mass      of the payload [kg]
@@ -55,13 +56,15 @@ class Undecided {
       all_ = all_ || lasts_ > Scalar(kAtOnce);
     }
     risen_ += risen;
+    if (!pours_ && !changes_ && !(of(mass) > 0)) {  // a load makes the hand sink before it is noticed
+      risen_ = std::min(Scalar(0), risen_ * std::exp(-duration / Scalar(kRecent)));
+      return;
+    }
     const Scalar weight = of(mass) * gravity;
     if (risen_ > -Scalar(kSlack) && risen_ < Scalar(kSlack) + weight / Scalar(kRigid)) return;
-    const bool pours = pours_, changes = changes_;
-    *this = Undecided();
-    pours_ = pours;
-    changes_ = changes;
-    weight_ = pours || changes;
+    kept_ = poured_ = risen_ = lasts_ = Scalar(0);
+    all_ = false;
+    weight_ = true;  // also what is still to come
   }
   /// How much of the payload's mass is undecided [kg].
   /// @param mass  of the payload [kg]
@@ -75,10 +78,12 @@ class Undecided {
   static constexpr double kShare = 0.2;    // share that is carried of what is undecided
   static constexpr double kRigid = 5000;   // least stiffness of what is rigid [N/m]
   static constexpr double kSlack = 0.001;  // its play, and the drift of the integral of dq [m]
-  static constexpr double kAtOnce = 0.1;   // longest change that is felt at once [s]
+  static constexpr double kRecent = 0.2;   // memory of a hand that sinks [s]
+  static constexpr double kAtOnce = 0.2;   // longest change that is felt at once [s]
 
   void begin(bool certain) noexcept {
-    poured_ = risen_ = lasts_ = Scalar(0);
+    if (!(part() > 0)) risen_ = std::min(Scalar(0), risen_);
+    poured_ = lasts_ = Scalar(0);
     weight_ = certain;
     pours_ = changes_ = false;
   }
