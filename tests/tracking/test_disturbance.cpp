@@ -83,7 +83,7 @@ TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of dense Gaus
     const Disturbing how = trial % 2 == 0 ? Disturbing::Hand : Disturbing::Still;
     const double loud = trial % 4 < 2 ? 1 : 30;
     const Sensing sensing = trial % 8 < 4 ? Sensing::LinkSide : Sensing::JointFriction;
-    const double touches = sensing == Sensing::LinkSide ? 0.5 : 0;
+    const double touches = sensing == Sensing::LinkSide ? 0.05 : 0;
     CAPTURE(trial, loud, touches);
     Star star = random_star(random);
     Disturbance disturbance;

@@ -89,7 +89,7 @@ class Disturbance {
     // A hand that begins pushes or touches, and later it may push anew.
     const bool begins = begins_ && how == Disturbing::Hand;
     const Scalar size = Scalar(begins ? kTouch : 1);
-    const double touches = 0.5 * model.kind().faint, other = begins ? touches : kAnew;
+    const double touches = kTouches * model.kind().faint, other = begins ? touches : kAnew;
     if (begins) fit.log_density += static_cast<Scalar>(std::log(1 - touches));
     Scalar log_likelihood = log_sum(fit.log_density, log_jolt);
     bool anew = false;
@@ -199,6 +199,7 @@ class Disturbance {
   static constexpr double kOwn = 2e-4;          // tremble of a growing wrench in all directions
   static constexpr double kGrowth = 0.0265;     // its growth along itself in kTrembleTime, per rated payload [N/kg]
   static constexpr double kAnew = 1e-3;         // probability per block that a hand pushes anew, in any way
+  static constexpr double kTouches = 0.05;      // probability that what begins is a touch, where the torque shows one
   static constexpr double kTouch = 0.1;         // s of a touch
   static constexpr double kJolt = 3;            // torque of a jolt, times the joint's scale [N m]
   static constexpr double kLarger = 10;         // the next size of a jolt, relative to the last one
