@@ -2,8 +2,7 @@
 //
 // A Panda under soft impedance control (rigid_hold.hpp), an empty hand. Something that does not move holds the hand, and the
 // target rises. Prints the largest force between both, without and with rme's compensation, and what rme believes to hold.
-// Then objects that stand on a table are lifted by 50 mm: how far is the hand below its target 0.3 s after the object has
-// left the table, and later?
+// Then objects that stand on a table are lifted by 50 mm: how far is the hand below its target from 0.3 s after the lift on?
 #include "rigid_hold.hpp"
 
 #include <algorithm>
@@ -87,8 +86,7 @@ int run(Arguments& arguments) {
                 before, after, with.quantile(1, force), with.quantile(0.5, believed), with.quantile(0.5, deviation));
     std::fflush(stdout);
   }
-  std::printf(
-      "\n1 kg is lifted off a table by 50 mm at 200 N/m: largest sag from 0.3 s after it has left the table.\n\n");
+  std::printf("\n1 kg is lifted off a table by 50 mm at 200 N/m: largest sag from 0.3 s after the lift on.\n\n");
   std::printf("| lift | without rme | with rme | worst | with expect_change() | worst |\n");
   std::printf("|---:|---:|---:|---:|---:|---:|\n");
   for (const double duration : {1.0, 2.0}) {

@@ -71,7 +71,7 @@ TEST_CASE(
 
   Undecided slow;
   slow.change(false);
-  pass(slow, 1, 0, 0, 9);
+  pass(slow, 1, 0, 0, 4);
   CHECK(slow.of(1) == 0);
   pass(slow, 1, 0, 0, 2);
   CHECK(slow.of(1) == 1);

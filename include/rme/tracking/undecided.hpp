@@ -79,7 +79,7 @@ class Undecided {
   static constexpr double kRigid = 5000;   // least stiffness of what is rigid [N/m]
   static constexpr double kSlack = 0.001;  // its play, and the drift of the integral of dq [m]
   static constexpr double kRecent = 0.2;   // memory of a hand that sinks [s]
-  static constexpr double kAtOnce = 0.2;   // longest change that is felt at once [s]
+  static constexpr double kAtOnce = 0.1;   // longest change that is felt at once [s]
 
   void begin(bool certain) noexcept {
     if (!(part() > 0)) risen_ = std::min(Scalar(0), risen_);
