@@ -129,8 +129,6 @@ class Estimator {
     const Scalar square = mass * mass;  // may underflow to zero
     return mass > 0 && square + variance > 0 ? square / (square + variance) : Scalar(0);
   }
-  /// Variance of a mass of which a share is a weight or none [kg^2].
-  Scalar doubt(Scalar mass) const noexcept { return Scalar(0.25) * state_.undecided * state_.undecided * mass * mass; }
   Scalar excess() const noexcept {
     return std::max(Scalar(1), state_.health / Scalar(EstimatorState<Scalar>::kHealthy));
   }
@@ -218,9 +216,8 @@ void Estimator<Scalar, Dofs>::process() noexcept {
     if (!tracker_.advance()) continue;
     const TorqueBlock<Scalar, Dofs>& block = averager_.block();
     publish();
-    PayloadGaussian<Scalar> felt = state_.payload;  // for an event it does not matter whether it is a weight
-    felt.covariance(0, 0) -= doubt(felt.mean[0]);
-    events_.update(state_.probability, block.end - static_cast<double>(block.duration), block.end, state_.time, felt);
+    events_.update(state_.probability, block.end - static_cast<double>(block.duration), block.end, state_.time,
+                   state_.payload);
     state_.updated = block.end;
     watch_.judge(block, tracker_.belief(), events_);
     if (state_.probability[Mode::Held] + state_.probability[Mode::Pouring] > Scalar(0.9))
@@ -249,8 +246,6 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   const TrackerBelief<Scalar>& belief = tracker_.belief();
   state_.probability = belief.probability;
   state_.held = Scalar(1) - belief.empty;
-  state_.swinging = belief.swinging;
-  state_.swing_frequency = belief.swing_frequency;
   state_.inertial = belief.payload;
   state_.health = belief.health;
   state_.sensing = belief.sensing;
@@ -273,8 +268,7 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
       held.mean[1 + i] = Scalar(0);
     }
   }
-  state_.undecided = belief.undecided;
-  held.covariance(0, 0) = std::max(variance, least * least) + doubt(held.mean[0]);
+  held.covariance(0, 0) = std::max(variance, least * least);
   carried_ = held.mean;
   for (int i = 1; i < 4 && !state_.empty(); ++i) carried_[i] = free.mean[i];
   state_.payload = held;
@@ -284,8 +278,7 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
 template <typename Scalar, int Dofs>
 auto Estimator<Scalar, Dofs>::payload_torque(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
                                              const FlangeMotion<Scalar>& motion) const noexcept -> Torque {
-  const Scalar carried = Undecided<Scalar>::carried(state_.undecided);
-  InertialVector<Scalar> phi = detail::scaled(share() * guard_.share() * carried, body());
+  InertialVector<Scalar> phi = detail::scaled(share() * guard_.share(), body());
   for (int i = 0; i < 4; ++i) phi[i] += state_.tool[i];
   const bool good = plausible(jacobian) && plausible(rotation);
   const bool moves = plausible(motion.angular_velocity) && plausible(motion.linear_acceleration) &&
