@@ -63,7 +63,7 @@ void LiveArm::follow(const PoseTarget& target) {
 }
 
 void LiveArm::hang(double mass, double length) {
-  constexpr double kSwing = 0.1;  // [rad]: it is handed over swinging
+  constexpr double kSwing = 0.4;  // [rad]: it is handed over swinging
   const Eigen::Vector3d hook = kinematics_.position + kinematics_.rotation * kHook;
   bag_ = Bag{mass, length, hook + length * Eigen::Vector3d(0, std::sin(kSwing), -std::cos(kSwing))};
 }

@@ -135,6 +135,15 @@ void bind_state(py::module_& module) {
   number(
       "held", [](const Values& s) { return s.held; }, "Probability that something is held, disturbed or not.");
   number(
+      "swinging", [](const Values& s) { return s.swinging; },
+      "Probability that what is held swings: it hangs, or what holds it gives.");
+  number(
+      "swing_frequency", [](const Values& s) { return s.swing_frequency; },
+      "Frequency of the swing [Hz]; 0 if it is not known.");
+  number(
+      "undecided", [](const Values& s) { return s.undecided; },
+      "Share of `payload` that may be no weight, but something rigid that holds the hand. A fifth of it is carried.");
+  number(
       "confidence", [](const Values& s) { return s.confidence; },
       "How far to trust `payload`, 0 to 1: m^2 / (m^2 + std^2), divided by health / 3 while health is above 3.");
   number(

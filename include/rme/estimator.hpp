@@ -129,6 +129,8 @@ class Estimator {
     const Scalar square = mass * mass;  // may underflow to zero
     return mass > 0 && square + variance > 0 ? square / (square + variance) : Scalar(0);
   }
+  /// Variance of a mass of which a share is a weight or none [kg^2].
+  Scalar doubt(Scalar mass) const noexcept { return Scalar(0.25) * state_.undecided * state_.undecided * mass * mass; }
   Scalar excess() const noexcept {
     return std::max(Scalar(1), state_.health / Scalar(EstimatorState<Scalar>::kHealthy));
   }
@@ -216,8 +218,9 @@ void Estimator<Scalar, Dofs>::process() noexcept {
     if (!tracker_.advance()) continue;
     const TorqueBlock<Scalar, Dofs>& block = averager_.block();
     publish();
-    events_.update(state_.probability, block.end - static_cast<double>(block.duration), block.end, state_.time,
-                   state_.payload);
+    PayloadGaussian<Scalar> felt = state_.payload;  // for an event it does not matter whether it is a weight
+    felt.covariance(0, 0) -= doubt(felt.mean[0]);
+    events_.update(state_.probability, block.end - static_cast<double>(block.duration), block.end, state_.time, felt);
     state_.updated = block.end;
     watch_.judge(block, tracker_.belief(), events_);
     if (state_.probability[Mode::Held] + state_.probability[Mode::Pouring] > Scalar(0.9))
@@ -246,6 +249,8 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
   const TrackerBelief<Scalar>& belief = tracker_.belief();
   state_.probability = belief.probability;
   state_.held = Scalar(1) - belief.empty;
+  state_.swinging = belief.swinging;
+  state_.swing_frequency = belief.swing_frequency;
   state_.inertial = belief.payload;
   state_.health = belief.health;
   state_.sensing = belief.sensing;
@@ -268,7 +273,8 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
       held.mean[1 + i] = Scalar(0);
     }
   }
-  held.covariance(0, 0) = std::max(variance, least * least);
+  state_.undecided = belief.undecided;
+  held.covariance(0, 0) = std::max(variance, least * least) + doubt(held.mean[0]);
   carried_ = held.mean;
   for (int i = 1; i < 4 && !state_.empty(); ++i) carried_[i] = free.mean[i];
   state_.payload = held;
@@ -278,7 +284,8 @@ void Estimator<Scalar, Dofs>::publish() noexcept {
 template <typename Scalar, int Dofs>
 auto Estimator<Scalar, Dofs>::payload_torque(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation,
                                              const FlangeMotion<Scalar>& motion) const noexcept -> Torque {
-  InertialVector<Scalar> phi = detail::scaled(share() * guard_.share(), body());
+  const Scalar carried = Undecided<Scalar>::carried(state_.undecided);
+  InertialVector<Scalar> phi = detail::scaled(share() * guard_.share() * carried, body());
   for (int i = 0; i < 4; ++i) phi[i] += state_.tool[i];
   const bool good = plausible(jacobian) && plausible(rotation);
   const bool moves = plausible(motion.angular_velocity) && plausible(motion.linear_acceleration) &&

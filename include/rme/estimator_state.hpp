@@ -26,6 +26,11 @@ struct EstimatorState {
   InertialGaussian<Scalar> inertial;
   PerMode<Scalar> probability = {{Scalar(1)}};  ///< of each mode, sum 1; at first an empty hand
   Scalar held = Scalar(0);                      ///< probability that something is held, disturbed or not
+  Scalar swinging = Scalar(0);                  ///< probability that what is held swings: it hangs, or its hold gives
+  Scalar swing_frequency = Scalar(0);           ///< of the swing [Hz]; 0 if it is not known
+  /// Share of `payload` that may be no weight, but something rigid that holds the hand: what has been felt little by little
+  /// since the hand last moved up or down. A fifth of it is carried (docs/contact.md).
+  Scalar undecided = Scalar(0);
   /// How far to trust `payload`, 0 to 1: m^2 / (m^2 + std^2), divided by health / 3 while health is above 3.
   Scalar confidence = Scalar(0);
   /// Normalised innovation squared, averaged over the last second (docs/theory.md (T30)): about 1 or less if the torque

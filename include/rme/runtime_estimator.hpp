@@ -180,7 +180,7 @@ class RuntimeEstimator {
   /// The host says that the hand is empty: Estimator::declare_empty().
   void declare_empty() noexcept {
     std::visit(
-        [&](auto& e) {
+        [this](auto& e) {
           e.declare_empty();
           copy(e.contact());
         },
@@ -201,7 +201,7 @@ class RuntimeEstimator {
   /// The host says that what is held is tool: Estimator::tare().
   void tare() noexcept {
     std::visit(
-        [&](auto& e) {
+        [this](auto& e) {
           e.tare();
           copy(e.contact());
         },
@@ -218,7 +218,7 @@ class RuntimeEstimator {
   /// Returns to the state after construction: Estimator::reset().
   void reset() noexcept {
     std::visit(
-        [&](auto& e) {
+        [this](auto& e) {
           e.reset();
           copy(e.contact());
         },

@@ -153,6 +153,33 @@ TEST_CASE("Contact: a move with a payload is none", "[contact]") {
   CHECK(bench.contact().last.number == number);
 }
 
+TEST_CASE("Contact: a payload that swings is none, and what pushes it meanwhile is", "[contact]") {
+  const unsigned seed = 425;
+  for (const double degrees : {5.0, 10.0, 20.0}) {
+    CAPTURE(seed, degrees);
+    Bench bench(seed);
+    bench.run(2);
+    bench.arm.hold({1, {0, 0, 0.1}});
+    double t = 0;
+    const auto swing = [&](double seconds, double push) {  // 20 cm below the hand
+      for (const double end = t + seconds; t < end; t += kPeriod) {
+        const double pi = std::acos(-1.0), angle = degrees * pi / 180 * std::cos(2 * pi * 1.1 * t);
+        const double sideways = 9.81 * std::sin(angle) * std::cos(angle), down = -9.81 * std::pow(std::sin(angle), 2);
+        bench.arm.push({{sideways, push, -down}, Vector3d::Zero()});
+        bench.run(kPeriod);
+      }
+    };
+    swing(5, 0);
+    CHECK(bench.estimator.state().swinging > 0.9);
+    const int number = bench.contact().last.number;
+    swing(30, 0);
+    CHECK(bench.contact().last.number == number);
+    swing(0.1, 20);
+    CHECK(bench.contact().last.number == number + 1);
+    CHECK(bench.contact().contact);
+  }
+}
+
 TEST_CASE("Contact: a refused sample leaves contact() bit for bit as it was", "[contact]") {
   const unsigned seed = 430;
   CAPTURE(seed);

@@ -65,11 +65,17 @@ class EnumeratedStories {
     const SensingKind& kind = model.kind();
     const double c = kind.change;
     const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false,
-                           bool quick = false, bool late = false, bool turned = false, bool never = false) {
+                           bool quick = false, bool late = false, bool turned = false, bool never = false,
+                           bool swings = false) {
       const bool same = mode == p.mode && !anew && (mode != Mode::Disturbed || how == p.how) &&
-                        (mode != Mode::Pouring || quick == p.quick);
+                        (mode != Mode::Pouring || quick == p.quick) && swings == p.star.swings();
       if (same == goes_on && probability > 0)
-        add(take_in(model, p, mode, how, anew, quick, late, turned, never, std::log(probability)));
+        add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, std::log(probability)));
+    };
+    const auto drawn = [&](double probability, bool late) {
+      const double hangs = p.mode == Mode::Held ? 0 : Transitions::kHangs * kind.faint;
+      child(Mode::Held, probability * (1 - hangs), Disturbing::Hand, true, false, late);
+      child(Mode::Held, probability * hangs, Disturbing::Hand, true, false, late, false, false, true);
     };
     const auto disturb = [&] {
       child(Mode::Disturbed, Transitions::kDisturbs);
@@ -78,10 +84,20 @@ class EnumeratedStories {
     if (p.mode == Mode::Empty || p.mode == Mode::Held) {
       const double pours = (p.mode == Mode::Empty ? Transitions::kFills : Transitions::kPours) * kind.slowly;
       const double never = p.mode == Mode::Held && p.log_none ? 0.3 * c : 0;
-      child(p.mode, 1 - (p.mode == Mode::Held ? 1.6 : 1.3) * c - never - Transitions::kDisturbs - kind.jolt - pours -
-                        (p.mode == Mode::Empty ? kind.takes_up : 0));
+      const bool swings = p.star.swings();
+      const double turns = p.mode == Mode::Empty ? 0
+                           : swings              ? Transitions::kSwingEnds
+                                                 : Transitions::kSwings * kind.faint;
+      child(p.mode,
+            1 - (p.mode == Mode::Held ? 1.6 : 1.3) * c - never - Transitions::kDisturbs - kind.jolt - pours - turns -
+                (p.mode == Mode::Empty ? kind.takes_up : 0),
+            Disturbing::Hand, false, false, false, false, false, swings);
+      if (!swings)
+        child(Mode::Held, turns, Disturbing::Hand, false, false, false, false, false, true);
+      else if (blocks_ % Transitions::kSoon == 0)
+        child(Mode::Held, turns * Transitions::kSoon);
       child(Mode::Changing, c);
-      child(Mode::Held, 0.3 * c, Disturbing::Hand, true);
+      drawn(0.3 * c, false);
       if (p.mode == Mode::Held) child(Mode::Empty, 0.3 * c);
       if (blocks_ % Transitions::kSlow == 0)
         child(Mode::Empty, Transitions::kSlow * never, Disturbing::Hand, false, false, false, false, true);
@@ -98,8 +114,8 @@ class EnumeratedStories {
       child(Mode::Changing, 1 - Transitions::kSettles - Transitions::kEmpties - Transitions::kTurnsOut);
       child(Mode::Disturbed, Transitions::kTurnsOut);
       const bool late = kind.lag > 0 && p.star.variance(kLag) < Transitions::kLate * Transitions::kLate;
-      child(Mode::Held, Transitions::kSettles * (late ? 1 - Transitions::kIsLate : 1), Disturbing::Hand, true);
-      if (late) child(Mode::Held, Transitions::kSettles * Transitions::kIsLate, Disturbing::Hand, true, false, true);
+      drawn(Transitions::kSettles * (late ? 1 - Transitions::kIsLate : 1), false);
+      if (late) drawn(Transitions::kSettles * Transitions::kIsLate, true);
       child(Mode::Empty, Transitions::kEmpties);
     } else {
       const bool jolt = p.how == Disturbing::Jolt, soft = p.how == Disturbing::Growing || p.how == Disturbing::Still;
@@ -124,16 +140,17 @@ class EnumeratedStories {
   }
 
   Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, bool quick, bool late,
-               bool turned, bool never, double log_transition) {
+               bool turned, bool never, bool swings, double log_transition) {
     Tale child = parent;
     child.mode = mode;
     child.how = how;
     child.quick = quick;
     model.predict(child.star);
+    if (!swings) child.star.end_swing();
     if (parent.mode == Mode::Pouring && mode != Mode::Pouring) child.star.end_pour();
     child.log_weight += log_transition + (turned  ? turn(model, parent, child)
                                           : never ? nothing(model, child)
-                                                  : likelihood(model, parent, child, anew, late));
+                                                  : likelihood(model, parent, child, anew, late, swings));
     return child;
   }
   /// There has been no payload since this one was drawn: what the joints' torques say of it, and its prior, at zero.
@@ -153,12 +170,13 @@ class EnumeratedStories {
     const double out = wrench.observe(model, star, parent.how, std::log(model.kind().jolt), rated_, squared) +
                        wrench.weigh(model, child.star, prior_, rated_);
     child.payload = child.next++;
+    child.held_for = 0;
     draw(model, child.star);
     child.log_plausible = plausible(child.star);
     child.log_none.reset();
     return out + child.log_plausible;
   }
-  double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew, bool late) {
+  double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew, bool late, bool swings) {
     const double duration = model.block().duration;
     double squared;  // of no use here
     if (child.mode == Mode::Disturbed) {
@@ -192,25 +210,43 @@ class EnumeratedStories {
         wider[kLag] = Transitions::kLate * Transitions::kLate;
         child.star.widen_arm(wider);
       }
-      out = draw(model, child.star, &child.log_none);
+      child.held_for = 0;
+      out = draw(model, child.star, &child.log_none, swings ? &child : nullptr);
     } else if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
         if (child.payload == 0) model.suppose_hidden(child.star, prior_.com_mean);
         child.log_none.reset();
         child.pour.begin(child.star, prior_, rated_, child.quick);
-        if (child.payload == 0) child.payload = child.next++;
+        if (child.payload == 0) {
+          child.payload = child.next++;
+          child.held_for = 0;
+        }
       }
       child.pour.predict(child.star, duration, prior_, rated_);
       out = observe(model, child.star, &child.pour);
     } else {
-      out = observe(model, child.star, nullptr);
+      if (swings && parent.star.swings()) {
+        child.swing.predict(child.star, duration);
+      } else if (swings) {
+        child.star.widen_payload(0.03 * 0.03 * std::exp(-child.held_for / 0.3));
+        child.swing.begin(child.star, weight(child.star), false);
+        child.swing.predict(child.star, duration);
+        child.log_none.reset();
+      }
+      out = observe(model, child.star, nullptr, swings ? &child.swing : nullptr);
     }
+    child.held_for += duration;
+    if (swings) child.swing.learn(child.star, duration, weight(child.star));
     const double before = child.log_plausible;
     child.log_plausible = plausible(child.star, child.mode == Mode::Pouring ? 0 : 0.007);
     return out + child.log_plausible - before;
   }
-  /// A new payload; its prior is for the mass that this block shows.
-  double draw(const Model& model, StarGaussian<double, Dofs>& star, std::optional<double>* log_none = nullptr) {
+  double weight(const StarGaussian<double, Dofs>& star) const {
+    return 9.81 * std::clamp(star.mass(), 0.02 * rated_, rated_);
+  }
+  /// A new payload; its prior is for the mass that this block shows. If a story is given, it swings.
+  double draw(const Model& model, StarGaussian<double, Dofs>& star, std::optional<double>* log_none = nullptr,
+              Tale* swinging = nullptr) {
     star.draw_payload(prior_.mean(), prior_.factor(prior_.square_mass()));
     auto shown = star;
     observe(model, shown, nullptr);
@@ -218,15 +254,21 @@ class EnumeratedStories {
     const oracle::Matrix factor = prior_.factor(mass * mass + shown.mass_variance());
     star.draw_payload(prior_.mean(), factor);
     if (log_none != nullptr) *log_none = oracle::log_normal(prior_.mean(), oracle::square(factor));
-    return observe(model, star, nullptr);
+    if (swinging != nullptr) {
+      swinging->swing.begin(star, weight(shown), true);
+      swinging->log_none.reset();
+    }
+    return observe(model, star, nullptr, swinging != nullptr ? &swinging->swing : nullptr);
   }
-  double observe(const Model& model, StarGaussian<double, Dofs>& star, Pour<double, Dofs>* pour) {
+  double observe(const Model& model, StarGaussian<double, Dofs>& star, Pour<double, Dofs>* pour,
+                 Swing<double, Dofs>* swing = nullptr) {
     const double mass = std::clamp(star.mass(), 0.0, rated_);
     double out = 0;
     for (int j = 0; j < Dofs; ++j) {  // no joint's stiction jumps while the arm rests
-      const auto p = star.predict(j, model.observation(j, mass));
+      const auto p = star.predict(j, model.observation(j, mass, star.swings()));
       out -= 0.5 * (p.innovation * p.innovation / p.variance + std::log(p.variance));
       if (pour != nullptr) pour->observe(star, p);
+      if (swing != nullptr) swing->observe(star, p);
       star.observe(j, p);
     }
     return out;

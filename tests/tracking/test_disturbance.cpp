@@ -15,6 +15,7 @@ using rme::Disturbing;
 using rme::kInertial;
 using rme::kJointNuisances;
 using rme::kShared;
+using rme::Sensing;
 constexpr int kDofs = 3;
 constexpr double kRated = 3;
 constexpr double kNone = -std::numeric_limits<double>::infinity();  // log probability
@@ -26,9 +27,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// A model in a random block.
 /// @param shaken  posterior variance of the flange's acceleration [(m/s^2)^2]
 /// @param loud    size of the torque, in twice a newton metre
-Model random_model(std::mt19937& random, double shaken = 0, double loud = 1) {
-  Model model(rme::kind_of(rme::Sensing::JointFriction), rme::ArmPrior<double, kDofs>::of(kRated), kRated, 0.02,
-              {0, 0, -9.81});
+Model random_model(std::mt19937& random, double shaken = 0, double loud = 1, Sensing sensing = Sensing::JointFriction) {
+  Model model(rme::kind_of(sensing), rme::ArmPrior<double, kDofs>::of(kRated), kRated, 0.02, {0, 0, -9.81});
   rme::TorqueBlock<double, kDofs> block;
   block.duration = 0.02;
   block.samples = 20;
@@ -77,19 +77,22 @@ TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of dense Gaus
   const unsigned seed = 560;
   CAPTURE(seed);
   std::mt19937 random(seed);
-  const double log_jolt = std::log(0.001), log_anew = std::log(0.001);  // per block
-  int went_on = 0, began_anew = 0, hidden = 0;
+  const double log_jolt = std::log(0.001);  // per block
+  int went_on = 0, pushed = 0, touched = 0, hidden = 0;
   for (int trial = 0; trial < 40; ++trial) {
     const Disturbing how = trial % 2 == 0 ? Disturbing::Hand : Disturbing::Still;
     const double loud = trial % 4 < 2 ? 1 : 30;
-    CAPTURE(trial, loud);
+    const Sensing sensing = trial % 8 < 4 ? Sensing::LinkSide : Sensing::JointFriction;
+    const double touches = sensing == Sensing::LinkSide ? 0.05 : 0;
+    CAPTURE(trial, loud, touches);
     Star star = random_star(random);
     Disturbance disturbance;
     disturbance.begin(kRated);
+    bool begins = true;
     for (int k = 0; k < 3; ++k) {  // from the second block on, something is known of the wrench
       CAPTURE(k);
       if (k > 0) disturbance.predict(how, 0.02, kRated);
-      const Model model = random_model(random, 0, k == 2 ? loud : 1);
+      const Model model = random_model(random, 0, k == 2 ? loud : 1, sensing);
       // tau = h^T x + c^T beta + J^T w + noise. Jointly with x the wrench is not: x keeps its distribution.
       // What is not known of the payload does not count.
       Matrix P = star.covariance();
@@ -112,25 +115,37 @@ TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of dense Gaus
       // The wrench goes on; or a hand pushes anew; or a jolt of one of three sizes hides it.
       Vector w = disturbance.mean();
       Matrix W = disturbance.covariance();
-      const double goes_on = oracle::log_normal(surprise(w), with(W));
-      const double anew = how == Disturbing::Hand ? log_anew + oracle::log_normal(e, with(any_wrench())) : -1e30;
+      const double goes_on = how == Disturbing::Hand && begins ? -1e30 : oracle::log_normal(surprise(w), with(W));
+      double anew = -1e30, all_anew = -1e30;  // as a push, or as a touch
+      Matrix other = W;
+      for (const double size : {1.0, 0.1}) {
+        if (how != Disturbing::Hand) break;
+        const Matrix prior = size * size * any_wrench();
+        const double probability = !begins ? (size < 1 ? 0 : 0.001) : size < 1 ? touches : 1 - touches;
+        if (!(probability > 0)) break;
+        const double log_one = std::log(probability) + oracle::log_normal(e, with(prior));
+        all_anew = log_sum(all_anew, log_one);
+        if (log_one > anew) other = prior;
+        anew = std::max(anew, log_one);
+      }
       double jolt = -1e30;
       for (const double size : {1.0, 10.0, 100.0})
         jolt = log_sum(jolt,
                        oracle::log_normal(e, size * size * (with(any_wrench()) + shaken)) + log_jolt - std::log(3.0));
       const bool learns = jolt <= std::max(goes_on, anew);
-      if (anew > goes_on) {
+      if (learns && anew > goes_on) {
         w.setZero();
-        W = any_wrench();
+        W = other;
       }
-      (!learns ? hidden : anew > goes_on ? began_anew : went_on) += 1;
+      begins = begins && !learns;
+      (!learns ? hidden : anew <= goes_on ? went_on : other == any_wrench() ? pushed : touched) += 1;
       const Matrix gain = oracle::transposed(oracle::solve(with(W), oracle::product(JT, W)));
       const Vector mean = learns ? Vector(w + oracle::product(gain, surprise(w))) : w;
       const Matrix covariance = learns ? Matrix(W - oracle::product(gain, oracle::product(JT, W))) : W;
       const Star before = star;
       double squared = 0, expected_square = 0;
       const double log_likelihood = disturbance.observe(model, star, how, log_jolt, kRated, squared);
-      CHECK(log_likelihood == Approx(log_sum(log_sum(goes_on, anew), jolt)).epsilon(1e-9));
+      CHECK(log_likelihood == Approx(log_sum(log_sum(goes_on, all_anew), jolt)).epsilon(1e-9));
       CHECK((disturbance.mean() - mean).norm() <= 1e-9 * mean.norm());
       CHECK((disturbance.covariance() - covariance).norm() < 1e-9 * W.norm());
       // Given x, and the wrench as it was known, each joint's nuisances learn from what is left. The wrench's error is
@@ -159,7 +174,8 @@ TEST_CASE("Disturbance: wrench, likelihood and nuisances are those of dense Gaus
     }
   }
   CHECK(went_on > 0);
-  CHECK(began_anew > 0);
+  CHECK(pushed > 0);
+  CHECK(touched > 0);
   CHECK(hidden > 0);
 }
 

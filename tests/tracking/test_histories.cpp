@@ -100,11 +100,13 @@ void run_both(const rme::SensingKind& kind, RandomBlocks<Dofs> random, int block
   }
 }
 
-using Key = std::array<int, 3>;  // mode, payload, kind of disturbance or pour
+using Key = std::array<int, 3>;  // mode, payload, kind of disturbance, pour or hold
 using Weights = std::map<Key, double>;
 template <int Dofs>
 Key key(const rme::Story<double, Dofs>& s, bool how) {
-  const int kind = s.mode == Mode::Disturbed ? static_cast<int>(s.how) : s.mode == Mode::Pouring && s.quick ? 1 : 0;
+  const int kind = s.mode == Mode::Disturbed                                 ? static_cast<int>(s.how)
+                   : (s.mode == Mode::Pouring && s.quick) || s.star.swings() ? 1
+                                                                             : 0;
   return {static_cast<int>(s.mode), s.payload, how ? kind : 0};
 }
 template <typename Histories, typename Enumerated>

@@ -19,6 +19,7 @@ using rme::kJointNuisances;
 using rme::kPayload;
 using rme::kPoured;
 using rme::kShared;
+using rme::kSwing;
 using rme::kTool;
 constexpr int kJoints = 3;
 constexpr int kAll = kShared + kJoints * kJointNuisances;
@@ -46,8 +47,8 @@ Star random_star(std::mt19937& random) {
   star.draw_payload(random_vector(random, kInertial), oracle::random_matrix(random, kInertial, kInertial));
   star.begin_pour();
   Star::Cross none = Star::Cross::Zero();
-  star.pour(1, random_vector(random, 4), none, oracle::square(oracle::random_matrix(random, 4, 4)),
-            oracle::square(oracle::random_matrix(random, 4, 4)));
+  star.drift(1, random_vector(random, 4), none, oracle::square(oracle::random_matrix(random, 4, 4)),
+             oracle::square(oracle::random_matrix(random, 4, 4)));
   for (int j = 0; j < kJoints; ++j) {
     star.joint(j).mean = random_vector(random, kJointNuisances);
     star.joint(j).slope = oracle::random_matrix(random, kShared, kJointNuisances);
@@ -350,6 +351,66 @@ TEST_CASE("StarGaussian: what changes the payload, the tool or the rate keeps th
   }
 }
 
+TEST_CASE("StarGaussian: a payload that swings keeps the moments of every pair, and the swing is no part of it",
+          "[star]") {
+  const unsigned seed = 514;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (int k = 0; k < 20; ++k) {
+    CAPTURE(k);
+    Star star = random_star(random);
+    star.end_pour();
+    // It is less certain, all its parameters alike.
+    Dense expected = dense(star);
+    const Vector phi = expected.mean.segment(kPayload, kInertial);
+    expected.covariance.block(kPayload, kPayload, kInertial, kInertial) += 0.3 * phi * phi.transpose();
+    star.widen_payload(0.3);
+    CHECK(difference(dense(star), expected) < 1e-9);
+    // It begins to swing, whatever else is known.
+    const rme::Vector3<double> size = random_vector(random, 3).cwiseAbs2();
+    expected = dense(star);
+    for (int i = 0; i < 3; ++i) expected.covariance(kSwing + i, kSwing + i) = size[i];
+    star.begin_swing(size);
+    CHECK(star.swings());
+    CHECK(difference(dense(star), expected) < 1e-9);
+    for (int i = 0; i < 9; ++i) star.observe(i % kJoints, star.predict(i % kJoints, random_observation(random)));
+    CHECK(star.mass() == star.mean()[kPayload]);
+    CHECK(star.mass_variance() == Approx(star.covariance()(kPayload, kPayload)));
+    CHECK(star.payload_mean() == rme::InertialVector<double>(star.mean().segment<kInertial>(kPayload)));
+    CHECK((star.payload_covariance() - star.covariance().block<kInertial, kInertial>(kPayload, kPayload)).norm() <
+          1e-9 * star.covariance().norm());
+    // The force is scaled.
+    const Dense before = dense(star);
+    const double scale = 0.3 + 0.1 * (k % 11);
+    Matrix T = Matrix::Identity(kAll, kAll);
+    for (int i = 0; i < 3; ++i) T(kSwing + i, kSwing + i) = scale;
+    Star changed = star;
+    changed.scale_swing(scale);
+    CHECK(difference(dense(changed), mapped(T, before)) < 1e-9);
+    // It ends: the rest is as it was.
+    for (int i = 0; i < 3; ++i) T(kSwing + i, kSwing + i) = 0;
+    changed = star;
+    changed.end_swing();
+    CHECK_FALSE(changed.swings());
+    CHECK(difference(dense(changed), mapped(T, before)) < 1e-9);
+    changed.begin_pour();
+    CHECK(changed.mass() == changed.mean()[kPayload] + changed.mean()[kPoured]);
+    // What empties the hand ends it as well.
+    for (int how = 0; how < 4; ++how) {
+      CAPTURE(how);
+      changed = star;
+      if (how == 0) changed.forget_payload();
+      if (how == 1) changed.payload_is_tool();
+      if (how == 2) (void)changed.payload_is_none();
+      if (how == 3)
+        changed.draw_payload(random_vector(random, kInertial), oracle::random_matrix(random, kInertial, kInertial));
+      CHECK_FALSE(changed.swings());
+      CHECK(changed.mean().tail<4>().norm() == 0);
+      CHECK(changed.covariance().bottomRows<4>().norm() == 0);
+    }
+  }
+}
+
 TEST_CASE("StarGaussian: a payload that turns out to be none leaves what an empty hand would have learned", "[star]") {
   const unsigned seed = 317;
   CAPTURE(seed);
@@ -418,13 +479,13 @@ TEST_CASE("StarGaussian: what is poured at a rate takes along what is known of b
     Dense expected{before.mean, all.topLeftCorner(kAll, kAll)};
     expected.mean.segment<4>(kPoured) += dt * rate;
     Star::Cross after = cross;
-    star.pour(dt, rate, after, V, oracle::square(L));
+    star.drift(dt, rate, after, V, oracle::square(L));
     CHECK(difference(dense(star), expected) < 1e-9);
     CHECK((after - all.block(0, kAll, kShared, 4)).norm() < 1e-12 * all.norm());
     // Of noise that is no number nothing is taken.
     const Dense now = dense(star);
     const Star::Cross kept = after;
-    star.pour(dt, rate, after, V, rme::Matrix4<double>::Constant(std::nan("")));
+    star.drift(dt, rate, after, V, rme::Matrix4<double>::Constant(std::nan("")));
     CHECK(difference(dense(star), now) == 0);
     CHECK(after == kept);
   }

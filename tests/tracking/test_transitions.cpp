@@ -30,6 +30,10 @@ void for_all_stories(const See& see) {
               story.quick = quick;
               story.payload = payload;
               if (payload != 0 && lag > 0) story.log_none = -1;
+              if (mode == Mode::Held && quick) {
+                story.star.draw_payload(rme::InertialVector<double>::Ones(), rme::InertialMatrix<double>::Identity());
+                story.star.begin_swing(rme::Vector3<double>::Ones());
+              }
               Eigen::Matrix<double, rme::kArmShared, 1> variance = Eigen::Matrix<double, rme::kArmShared, 1>::Zero();
               variance[rme::kLag] = lag * lag;
               story.star.set_arm(variance);
@@ -62,6 +66,7 @@ TEST_CASE("Transitions: a story goes on in one way, and has no more children tha
         child.mode = t.mode;
         child.how = t.how;
         child.quick = t.quick;
+        CHECK(t.swings == story.star.swings());
         CHECK(child.same(story));
         CHECK_FALSE(t.anew);
       });
@@ -76,7 +81,9 @@ TEST_CASE("Transitions: while a story explains the block, nothing begins but wha
     if (story.mode != Mode::Empty && story.mode != Mode::Held) return;
     for (long block = 0; block < 2 * Transitions::kSlow; ++block)
       Transitions::each(story, kind, block, true, [&](const Transition& t) {
-        CHECK((t.goes_on || t.mode == Mode::Pouring || t.never));
+        const bool swing_ends = story.star.swings() && t.mode == Mode::Held && !t.anew;
+        CHECK((t.goes_on || t.mode == Mode::Pouring || t.never || swing_ends));
+        if (!t.goes_on && swing_ends) CHECK(block % Transitions::kSoon == 0);
         if (t.never) CHECK(block % Transitions::kSlow == 0);
         if (t.mode == Mode::Pouring && !t.quick) CHECK(block % Transitions::kSlow == 0);
       });

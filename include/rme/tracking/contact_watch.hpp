@@ -63,7 +63,7 @@ class ContactWatch {
     const Vector explained = detail::product(explained_.regressor(), phi_);
     monitor_.update(detail::difference(sample.tau_ext, explained), sample.jacobian, sample.dq, dt, time);
     since_expected_ += dt;
-    if (since_expected_ >= kExpect - 1e-9) expect();
+    if (since_expected_ >= kExpect - 1e-9) expect(sample.jacobian);
   }
   /// Takes over what the tracker makes of a block.
   /// @param block   the block
@@ -92,7 +92,8 @@ class ContactWatch {
     know(block, belief);
     if (settled && (!same || monitor_.state().contact))
       for (Regressor& r : usual_) r.setZero();  // no mean has taken in any of a new payload's errors
-    expect();
+    swing_ = belief.swing_square;
+    expect(block.jacobian);
     if (same)
       monitor_.refine(change, {detail::product(usual_[0], step), detail::product(usual_[1], step)});
     else
@@ -150,16 +151,19 @@ class ContactWatch {
       noise_[i] = detail::scaled(Scalar(kKeep), noise_[i]).cwiseMax(detail::scaled(noise_gain_[i], noise));
   }
   /// What the errors of the payload add to the variance of the residual, (T62). A mean has taken in the error that is the
-  /// same all the time: what counts is how the regressor differs from its own mean.
-  void expect() noexcept {
+  /// same all the time: what counts is how the regressor differs from its own mean. What swings pulls at the hand.
+  void expect(const Jacobian<Scalar, Dofs>& jacobian) noexcept {
     Vector known[Monitor::kScales];
     for (int i = 0; i < Monitor::kScales; ++i) {
       const Regressor change = detail::difference(explained_.regressor(), usual_[i]);
       detail::add_scaled(usual_[i], monitor_.following(i, since_expected_), change);
       for (int j = 0; j < Dofs; ++j) {
         const Scalar behind = Scalar(kBehind) * moved_[j];
+        Scalar swings = Scalar(0);
+        for (int axis = 0; axis < 3; ++axis) swings += jacobian(axis, j) * jacobian(axis, j) * swing_[axis];
         const InertialVector<Scalar> row = change.row(j).transpose();
-        known[i][j] = behind * behind + std::max(Scalar(0), detail::dot(row, detail::product(covariance_, row)));
+        known[i][j] =
+            behind * behind + swings + std::max(Scalar(0), detail::dot(row, detail::product(covariance_, row)));
       }
     }
     since_expected_ = 0;
@@ -198,6 +202,7 @@ class ContactWatch {
   Scalar noise_gain_[Monitor::kScales];
   Regressor usual_[Monitor::kScales] = {Regressor::Zero(), Regressor::Zero()};  // means, as those of the residual
   Eigen::Matrix<Scalar, kInertial, kInertial> covariance_ = Eigen::Matrix<Scalar, kInertial, kInertial>::Zero();
+  Vector3<Scalar> swing_ = Vector3<Scalar>::Zero();                    // mean square of the swing's force [N^2]
   double since_expected_ = 0;                                          // [s]
   Vector noise_[Monitor::kScales] = {Vector::Zero(), Vector::Zero()};  // of the acceleration [(N m)^2]
   Vector moved_ = Vector::Zero();                                      // last changes of the explanation [N m]

@@ -33,10 +33,11 @@ class Disturbance {
   using Star = StarGaussian<Scalar, Dofs>;       ///< state of the filter
   using Model = JointTorqueModel<Scalar, Dofs>;  ///< model of the arm
 
-  /// A wrench that nothing is known of: N(0, W) with W for hands and obstacles beside an arm for `rated_payload` [kg].
+  /// A wrench that nothing is known of: N(0, s^2 W) with W for hands and obstacles beside an arm for `rated_payload` [kg],
+  /// and s = 1; or 0.1 for a touch, if the torque shows one. The first block says which.
   void begin(Scalar rated_payload) noexcept {
-    mean_.setZero();
-    covariance_ = any(rated_payload);
+    begin(rated_payload, Scalar(1));
+    begins_ = true;
   }
   /// Time update: the wrench changes from block to block.
   /// @param how            what the wrench does
@@ -49,7 +50,7 @@ class Disturbance {
     if (how != Disturbing::Growing) return;
     Scalar square = Scalar(0.01) * rated_payload * rated_payload;
     for (int i = 0; i < 3; ++i) square = std::max(square, mean_[i] * mean_[i]);
-    const Scalar growth = Scalar(kGrowth * kGrowth) * rated_payload * rated_payload * blocks / square;
+    const Scalar growth = size_ * size_ * Scalar(kGrowth * kGrowth) * rated_payload * rated_payload * blocks / square;
     detail::add_outer(covariance_, detail::scaled(growth, mean_), mean_);
   }
   /// Takes in the block of the model's last begin(): learns the wrench, and the arm's nuisances in `star`. Of a jolt nothing
@@ -85,19 +86,23 @@ class Disturbance {
     if (how == Disturbing::Jolt) return jolt_density(model, known, e, rated);
     const Scalar log_jolt = jolt > kNone ? jolt + jolt_density(model, known, e, rated) : kNone;
     Fit fit(J, known, e, mean_, covariance_);
+    // A hand that begins pushes or touches, and later it may push anew.
+    const bool begins = begins_ && how == Disturbing::Hand;
+    const Scalar size = Scalar(begins ? kTouch : 1);
+    const double touches = kTouches * model.kind().faint, other = begins ? touches : kAnew;
+    if (begins) fit.log_density += static_cast<Scalar>(std::log(1 - touches));
     Scalar log_likelihood = log_sum(fit.log_density, log_jolt);
-    if (how == Disturbing::Hand) {
-      const Fit anew(J, known, e, Vector6<Scalar>::Zero(), any(rated));
-      const Scalar log_anew = static_cast<Scalar>(std::log(kAnew)) + anew.log_density;
-      log_likelihood = log_sum(log_likelihood, log_anew);
-      if (log_anew > fit.log_density) {
-        fit = anew;
-        fit.log_density = log_anew;
-        mean_.setZero();
-        covariance_ = any(rated);
-      }
+    bool anew = false;
+    if (how == Disturbing::Hand && other > 0) {
+      Fit afresh(J, known, e, Vector6<Scalar>::Zero(), any(size * rated));
+      afresh.log_density += static_cast<Scalar>(std::log(other));
+      log_likelihood = log_sum(log_likelihood, afresh.log_density);
+      anew = afresh.log_density > fit.log_density;
+      if (anew) fit = afresh;
     }
     if (log_jolt > fit.log_density) return log_likelihood;
+    if (anew) begin(rated, size);
+    begins_ = false;
     const Eigen::Matrix<Scalar, Dofs, 6>& cross = fit.cross;
     const Eigen::Matrix<Scalar, Dofs, 6> gain = fit.factor.solve_lower(cross);
     // The arm is learned given the wrench as it was known before this block: what the block shows of the wrench is not
@@ -127,7 +132,7 @@ class Disturbance {
   Scalar weigh(const Model& model, const Star& star, const PayloadPrior<Scalar>& payload, Scalar rated) const noexcept {
     using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
     constexpr auto kNone = -std::numeric_limits<Scalar>::infinity();
-    const Matrix6 W = any(rated);
+    const Matrix6 W = any(size_ * rated);
     Matrix6 none = Matrix6::Zero();  // W^-1: what is known of a wrench that nothing is known of
     for (int i = 0; i < 6; ++i) none(i, i) = Scalar(1) / W(i, i);
     const Cholesky<Scalar, 6> known(covariance_);
@@ -194,10 +199,18 @@ class Disturbance {
   static constexpr double kOwn = 2e-4;          // tremble of a growing wrench in all directions
   static constexpr double kGrowth = 0.0265;     // its growth along itself in kTrembleTime, per rated payload [N/kg]
   static constexpr double kAnew = 1e-3;         // probability per block that a hand pushes anew, in any way
+  static constexpr double kTouches = 0.05;      // probability that what begins is a touch, where the torque shows one
+  static constexpr double kTouch = 0.1;         // s of a touch
   static constexpr double kJolt = 3;            // torque of a jolt, times the joint's scale [N m]
   static constexpr double kLarger = 10;         // the next size of a jolt, relative to the last one
   static constexpr int kSizes = 3;              // of jolts, each as likely as the others
 
+  /// @param size  s
+  void begin(Scalar rated, Scalar size) noexcept {
+    mean_.setZero();
+    covariance_ = any(size * rated);
+    size_ = size;
+  }
   /// Cholesky's factor of a covariance of all joints' torques. Combinations of torques that no wrench makes have standard
   /// deviations a hundred times smaller than the others. In float, their variances are hardly above the rounding errors of
   /// the pivots.
@@ -291,6 +304,8 @@ class Disturbance {
     }
     return W;
   }
+  Scalar size_ = Scalar(1);  // s
+  bool begins_ = false;      // with the next block
   Vector6<Scalar> mean_ = Vector6<Scalar>::Zero();
   Eigen::Matrix<Scalar, 6, 6> covariance_ = Eigen::Matrix<Scalar, 6, 6>::Zero();
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
@@ -144,6 +145,7 @@ class Histories {
                     Scalar probability) noexcept {
     Tale story = told(0);
     story.star.draw_payload(mean, factor);
+    story.held_for = std::numeric_limits<Scalar>::max();  // no swing has been taken for weight
     const int payload = story.take_next();
     add(story, Mode::Held, payload, probability);
   }

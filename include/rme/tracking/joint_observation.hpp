@@ -13,10 +13,11 @@ enum Shared : int {
   kTilt = 5,     ///< error of gravity's direction: rotation about two axes across gravity, 2 entries [rad]
   kPayload = 7,  ///< phi of the payload, 10 entries; if something is poured, phi before that
   kPoured = 17,  ///< what has been poured in so far, (m, m r), 4 entries [kg, kg m]
+  kSwing = 17,   ///< in its place, if the payload swings: the force of that, 3 entries, world axes [N]
 };
 inline constexpr int kArmShared = kPayload;  ///< number of shared unknowns of an empty hand
 inline constexpr int kHeldShared = kPoured;  ///< the same, if something is held
-inline constexpr int kShared = kPoured + 4;  ///< the same, if something is poured: all of them
+inline constexpr int kShared = kPoured + 4;  ///< the same, if something is poured, or swings: all of them
 template <typename Scalar>
 using SharedVector = Eigen::Matrix<Scalar, kShared, 1>;  ///< x, in the order of Shared
 template <typename Scalar>

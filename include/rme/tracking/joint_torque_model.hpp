@@ -115,9 +115,10 @@ class JointTorqueModel {
     }
   }
   /// The measurement of joint j in this block.
-  /// @param j     0 .. Dofs - 1
-  /// @param mass  mass of the payload [kg]; the noise of dq makes a noise of its inertia force
-  JointObservation<Scalar> observation(int j, Scalar mass) const noexcept;
+  /// @param j       0 .. Dofs - 1
+  /// @param mass    mass of the payload [kg]; the noise of dq makes a noise of its inertia force
+  /// @param swings  whether the payload swings
+  JointObservation<Scalar> observation(int j, Scalar mass, bool swings = false) const noexcept;
   /// Variance that a jump of joint j's stiction would add in this block [(N m)^2]: a joint that rests while others move
   /// may come loose and stick again. 0 if the joint moves, if the whole arm rests, and if the torque shows no friction.
   /// @param star  has the joint's Coulomb friction
@@ -143,9 +144,18 @@ class JointTorqueModel {
   void interrupt() noexcept { noise_.interrupt(); }                           ///< something happened in this block
   const SensorNoise<Scalar, Dofs>& noise() const noexcept { return noise_; }  ///< learned noise and residual
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }  ///< the block of the last begin()
-  const Vector3<Scalar>& gravity() const noexcept { return gravity_; }        ///< g [m/s^2], world axes
-  const SensingKind& kind() const noexcept { return kind_; }                  ///< row of the kind of torque sensing
-  const ArmPrior<Scalar, Dofs>& arm() const noexcept { return arm_; }         ///< with the friction that the kind sees
+  /// Whether the host says that the payload changes now.
+  bool exchange_likely() const noexcept { return exchange_likely_; }
+  /// How far the end effector has gone up in the block of the last begin() [m].
+  Scalar risen() const noexcept {
+    Scalar along = Scalar(0);  // of the velocity, along gravity
+    for (int j = 0; j < Dofs; ++j)
+      for (int i = 0; i < 3; ++i) along += gravity_[i] * block_.jacobian(i, j) * block_.velocity[j];
+    return -along * block_.duration / std::sqrt(detail::dot(gravity_, gravity_));
+  }
+  const Vector3<Scalar>& gravity() const noexcept { return gravity_; }  ///< g [m/s^2], world axes
+  const SensingKind& kind() const noexcept { return kind_; }            ///< row of the kind of torque sensing
+  const ArmPrior<Scalar, Dofs>& arm() const noexcept { return arm_; }   ///< with the friction that the kind sees
 
  private:
   static constexpr double kStictionShare = 0.6;
@@ -186,7 +196,7 @@ class JointTorqueModel {
   ArmPrior<Scalar, Dofs> arm_;
   Scalar rated_, inertia_arm_;
   SensorNoise<Scalar, Dofs> noise_;
-  bool started_ = false, friction_shows_ = false;
+  bool started_ = false, friction_shows_ = false, exchange_likely_ = false;
   TorqueBlock<Scalar, Dofs> block_;
   FrictionRegime<Scalar, Dofs> regime_;
   // How far friction has turned over in this block, and the decaying maximum of that (turn()).
@@ -247,6 +257,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   block_ = block;
   regime_ = regime;
   friction_shows_ = context.friction_shows;
+  exchange_likely_ = context.exchange_likely;
 }
 
 /// The friction of a resting joint balances all other torques: it changes when the motor's torque changes, and tau_ext
@@ -344,7 +355,7 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
 }
 
 template <typename Scalar, int Dofs>
-JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scalar mass) const noexcept {
+JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scalar mass, bool swings) const noexcept {
   using std::abs;
   JointObservation<Scalar> o;
   o.torque = block_.tau[j];
@@ -352,7 +363,8 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
   for (int i = 0; i < 4; ++i) o.h[kTool + i] = block_.regressor(j, i);
   for (int i = 0; i < 2; ++i) o.h[kTilt + i] = tilt_(j, i);
   for (int i = 0; i < kInertial; ++i) o.h[kPayload + i] = block_.regressor(j, i);
-  for (int i = 0; i < 4; ++i) o.h[kPoured + i] = block_.regressor(j, i);
+  for (int i = 0; i < 4; ++i) o.h[kPoured + i] = swings ? Scalar(0) : block_.regressor(j, i);
+  for (int i = 0; swings && i < 3; ++i) o.h[kSwing + i] = block_.jacobian(i, j);
   o.noise = noise_.variance(j) + timing_noise_[j] + mass * mass * inertia_noise_[j];
   const JointFriction<Scalar>& friction = regime_.joint(j);
   const Scalar v = block_.velocity[j], slow = static_cast<Scalar>(kind_.slow);

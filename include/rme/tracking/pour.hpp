@@ -5,6 +5,7 @@
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/rate.hpp>
 #include <rme/tracking/star_gaussian.hpp>
 
 namespace rme {
@@ -24,9 +25,8 @@ class Pour {
   void begin(Star& star, const PayloadPrior<Scalar>& prior, Scalar rated_payload, bool quick) noexcept {
     quick_ = quick;
     star.begin_pour();
-    rate_.setZero();
-    cross_.setZero();
-    covariance_ = stationary(star, prior, rated_payload);
+    rate_ = {};
+    rate_.covariance = stationary(star, prior, rated_payload);
   }
   /// Time update of the rate, an Ornstein-Uhlenbeck process about zero, and of the payload, which it changes.
   /// @param star           state; an empty hand begins to hold something
@@ -37,22 +37,16 @@ class Pour {
     using std::exp;
     const Matrix4<Scalar> noise = stationary(star, prior, rated_payload);
     const Scalar keep = exp(-duration / Scalar(quick_ ? kQuickTime : kRateTime));
-    rate_ *= keep;
-    cross_ *= keep;
-    covariance_ *= keep * keep;
-    detail::add_scaled(covariance_, Scalar(1) - keep * keep, noise);
-    star.pour(duration, rate_, cross_, covariance_, detail::scaled(duration * Scalar(kFlowTime), noise));
+    rate_.mean *= keep;
+    rate_.cross *= keep;
+    rate_.covariance *= keep * keep;
+    detail::add_scaled(rate_.covariance, Scalar(1) - keep * keep, noise);
+    star.drift(duration, rate_.mean, rate_.cross, rate_.covariance,
+               detail::scaled(duration * Scalar(kFlowTime), noise));
   }
   /// Updates the rate with an observation; to be called before star.observe(j, p).
-  void observe(const Star& star, const typename Star::Prediction& p) noexcept {
-    const Vector4<Scalar> shown = detail::transposed_product(cross_, p.gain_row);  // cov(rate, y)
-    const SharedVector<Scalar> row = star.covariance_row(p);
-    const Vector4<Scalar> gain = detail::scaled(Scalar(1) / p.variance, shown);
-    detail::add_scaled(rate_, p.innovation, gain);
-    detail::add_outer(cross_, detail::scaled(Scalar(-1), row), gain);
-    detail::add_outer(covariance_, detail::scaled(Scalar(-1), shown), gain);
-  }
-  Scalar rate() const noexcept { return rate_[0]; }  ///< of the mass [kg/s]
+  void observe(const Star& star, const typename Star::Prediction& p) noexcept { rate_.observe(star, p); }
+  Scalar rate() const noexcept { return rate_.mean[0]; }  ///< of the mass [kg/s]
 
  private:
   static constexpr double kRate = 0.03;  // standard deviation of the rate of mass per rated payload [1/s]
@@ -84,9 +78,7 @@ class Pour {
 
   Scalar sigma_of() const noexcept { return static_cast<Scalar>(quick_ ? kQuickRate : kRate); }
   bool quick_ = false;
-  Vector4<Scalar> rate_ = Vector4<Scalar>::Zero();
-  Matrix4<Scalar> covariance_ = Matrix4<Scalar>::Zero();
-  typename Star::Cross cross_ = Star::Cross::Zero();  // cov(x, rate)
+  Rate<Scalar, Dofs> rate_;
 };
 
 }  // namespace rme

@@ -18,8 +18,8 @@ namespace rme {
 ///     x ~ N(mean, F F^T),   beta_j | x ~ N(b_j + B_j x, V_j)
 ///
 /// A joint's torque depends only on x and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
-/// cost of a dense covariance. forget_payload(), widen_arm(), pour() and end_pour() would couple the joints. Each of
-/// them gives the nearest star instead, which has the right mean and covariance of every pair (x, beta_j)
+/// cost of a dense covariance. forget_payload(), widen_arm(), drift(), end_pour(), end_swing() and their like would couple the
+/// joints. Each of them gives the nearest star instead, which has the right mean and covariance of every pair (x, beta_j)
 /// (docs/theory.md, "The star").
 ///
 /// F is a square root of the covariance of x, and is updated as such (Potter's form: Maybeck, Stochastic Models,
@@ -45,26 +45,30 @@ class StarGaussian {
   bool empty() const noexcept { return size_ == kArmShared; }  ///< whether the hand is empty for certain
   const X& mean() const noexcept { return mean_; }             ///< of x
   XMatrix covariance() const noexcept { return detail::outer_square(factor_); }  ///< of x, F F^T
-  Scalar mass() const noexcept { return mean_[kPayload] + mean_[kPoured]; }      ///< mean of the payload's mass [kg]
+  bool swings() const noexcept { return swings_; }                               ///< whether the payload swings
+  /// Mean of the payload's mass, with what was poured [kg].
+  Scalar mass() const noexcept { return mean_[kPayload] + poured_mass(); }
   /// Mean of the payload's phi, with what was poured.
   InertialVector<Scalar> payload_mean() const noexcept {
     InertialVector<Scalar> phi;
-    for (int i = 0; i < kInertial; ++i) phi[i] = mean_[kPayload + i] + (i < 4 ? mean_[kPoured + i] : Scalar(0));
+    for (int i = 0; i < kInertial; ++i) phi[i] = mean_[kPayload + i] + (poured(i) ? mean_[kPoured + i] : Scalar(0));
     return phi;
   }
+  /// Mean of the mass that has been poured since the pour began [kg]; 0 if nothing is poured.
+  Scalar poured_mass() const noexcept { return poured(0) ? mean_[kPoured] : Scalar(0); }
   /// Covariance of the payload's phi, with what was poured.
   InertialMatrix<Scalar> payload_covariance() const noexcept {
     Eigen::Matrix<Scalar, kInertial, kShared> rows;
     for (int i = 0; i < kInertial; ++i)
       for (int k = 0; k < kShared; ++k)
-        rows(i, k) = factor_(kPayload + i, k) + (i < 4 ? factor_(kPoured + i, k) : Scalar(0));
+        rows(i, k) = factor_(kPayload + i, k) + (poured(i) ? factor_(kPoured + i, k) : Scalar(0));
     return detail::outer_square(rows);
   }
   /// Variance of the payload's mass [kg^2].
   Scalar mass_variance() const noexcept {
     Scalar sum = Scalar(0);
     for (int k = 0; k < size_; ++k) {
-      const Scalar f = factor_(kPayload, k) + factor_(kPoured, k);
+      const Scalar f = factor_(kPayload, k) + (poured(0) ? factor_(kPoured, k) : Scalar(0));
       sum += f * f;
     }
     return sum;
@@ -182,6 +186,7 @@ class StarGaussian {
       return kept;
     });
     size_ = kArmShared;
+    swings_ = false;
   }
   /// Puts a payload phi ~ N(mean, factor factor^T), independent of everything else, in place of the present one.
   void draw_payload(const InertialVector<Scalar>& mean, const InertialMatrix<Scalar>& factor) noexcept {
@@ -232,12 +237,14 @@ class StarGaussian {
     }
     if (const Factor factor(arm); factor.finite()) factor_ = factor.lower();
     size_ = kArmShared;
+    swings_ = false;
     return log_density;
   }
   /// Counts the payload as part of the tool. The hand is empty afterwards.
   void payload_is_tool() noexcept {
     if (empty()) return;
     end_pour();
+    end_swing();
     for (int i = 0; i < 4; ++i) {
       mean_[kTool + i] += mean_[kPayload + i];
       for (int k = 0; k < kShared; ++k) factor_(kTool + i, k) += factor_(kPayload + i, k);
@@ -255,11 +262,56 @@ class StarGaussian {
     restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
   }
 
+  /// Adds a relative error to what is known of the payload: phi becomes (1 + e) phi, e independent of everything else. Each
+  /// beta_j keeps its moments with the old x.
+  /// @param square  E[e^2]
+  void widen_payload(Scalar square) noexcept {
+    XMatrix total = covariance();
+    X along = X::Zero();
+    for (int i = kPayload; i < kPayload + kInertial; ++i) along[i] = mean_[i];
+    detail::add_outer(total, detail::scaled(square, along), along);
+    restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
+  }
+  /// From now on, the payload swings, with a force of zero mean. Nothing may be poured meanwhile.
+  /// @param variance  of the force [N^2], world axes
+  void begin_swing(const Vector3<Scalar>& variance) noexcept {
+    using std::sqrt;
+    for (int i = 0; i < 3; ++i) factor_(kSwing + i, kSwing + i) = sqrt(variance[i]);
+    size_ = kShared;
+    swings_ = true;
+  }
+  /// Multiplies the force of the swing by `scale`, which is not 0.
+  void scale_swing(Scalar scale) noexcept {
+    for (int i = kSwing; i < kSwing + 3; ++i) {
+      mean_[i] *= scale;
+      for (int k = 0; k < kShared; ++k) factor_(i, k) *= scale;
+      for (Joint& joint : joints_)
+        for (int n = 0; n < kJointNuisances; ++n) joint.slope(i, n) /= scale;
+    }
+  }
+  /// The payload swings no more: marginalises the force.
+  void end_swing() noexcept {
+    if (!swings_) return;
+    X mean = mean_;
+    XMatrix kept = factor_;
+    for (int i = kSwing; i < kSwing + 3; ++i) {
+      mean[i] = Scalar(0);
+      for (int k = 0; k < kShared; ++k) kept(i, k) = Scalar(0);
+    }
+    restate(mean, detail::outer_square(kept), [](const Slope& cross, const Slope&) {
+      Slope left = cross;
+      for (int n = 0; n < kJointNuisances; ++n)
+        for (int i = kSwing; i < kSwing + 3; ++i) left(i, n) = Scalar(0);
+      return left;
+    });
+    size_ = kHeldShared;
+    swings_ = false;
+  }
   /// From now on, something may be poured in: nothing so far.
   void begin_pour() noexcept { size_ = kShared; }
   /// What has been poured so far becomes part of the payload's phi. Each beta_j keeps its moments with it.
   void end_pour() noexcept {
-    if (size_ != kShared) return;
+    if (size_ != kShared || swings_) return;
     const InertialVector<Scalar> phi = payload_mean();
     X mean = mean_;
     for (int i = 0; i < kInertial; ++i) mean[kPayload + i] = phi[i];
@@ -284,15 +336,15 @@ class StarGaussian {
       return;
     size_ = kHeldShared;
   }
-  /// What has been poured moves by dt r, where r is correlated with x; then process noise Q is added to it. Each beta_j
-  /// keeps its moments with the old x, and depends on r only through x.
+  /// What has been poured, or the force of the swing, moves by dt r, where r is correlated with x; then process noise Q is
+  /// added to it. Each beta_j keeps its moments with the old x, and depends on r only through x.
   /// @param dt     [s]
-  /// @param rate   E[r] [kg/s, kg m/s]
+  /// @param rate   E[r] [kg/s, kg m/s], or [N/s]
   /// @param cross  cov(x, r); on return that of the new x
   /// @param V      cov(r)
   /// @param Q      covariance of the noise, positive semidefinite; if it is not finite, nothing changes
-  void pour(Scalar dt, const Vector4<Scalar>& rate, Cross& cross, const Matrix4<Scalar>& V,
-            const Matrix4<Scalar>& Q) noexcept {
+  void drift(Scalar dt, const Vector4<Scalar>& rate, Cross& cross, const Matrix4<Scalar>& V,
+             const Matrix4<Scalar>& Q) noexcept {
     // r = E[r] + G^T (x - E[x]) + what x does not tell. So x' = A x + E n, with A = 1 + dt E G^T, and n, the noise, in the
     // last four entries alone: beta_j changes by matrices of rank four.
     XMatrix total = covariance();
@@ -353,6 +405,8 @@ class StarGaussian {
 
  private:
   using Factor = SingularCholesky<Scalar, kShared>;
+  /// Whether something has been poured into entry i of phi.
+  bool poured(int i) const noexcept { return i < 4 && !swings_; }
   template <int Size>
   using Head = Eigen::Map<Eigen::Matrix<Scalar, Size, 1>>;
   template <int Size>
@@ -424,7 +478,8 @@ class StarGaussian {
 
   X mean_ = X::Zero();
   XMatrix factor_ = XMatrix::Zero();  // F
-  int size_ = kArmShared;             // entries of x that are not zero for certain; the others have zero slopes
+  bool swings_ = false;
+  int size_ = kArmShared;  // entries of x that are not zero for certain; the others have zero slopes
   std::array<Joint, static_cast<std::size_t>(Dofs)> joints_;
 };
 

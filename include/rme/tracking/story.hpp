@@ -7,6 +7,8 @@
 #include <rme/tracking/mode.hpp>
 #include <rme/tracking/pour.hpp>
 #include <rme/tracking/star_gaussian.hpp>
+#include <rme/tracking/swing.hpp>
+#include <rme/tracking/undecided.hpp>
 
 namespace rme {
 
@@ -16,11 +18,14 @@ struct Story {
   StarGaussian<Scalar, Dofs> star;        ///< while changing or disturbed, the payload is as it was before
   Disturbance<Scalar, Dofs> disturbance;  ///< of Mode::Disturbed
   Pour<Scalar, Dofs> pour;                ///< of Mode::Pouring
+  Swing<Scalar, Dofs> swing;              ///< if the payload swings: star.swings()
+  Undecided<Scalar> undecided;            ///< part of the payload that may be no weight
   Mode mode = Mode::Empty;                ///< of the last block
   Disturbing how = Disturbing::Hand;      ///< of Mode::Disturbed
   bool quick = false;                     ///< of Mode::Pouring: it is taken up quickly
   int payload = 0;                        ///< which payload is held; 0 for none
   int next = 1;                           ///< name of the payload that will be held next
+  Scalar held_for = Scalar(0);            ///< since the payload was drawn, but for what disturbed it [s]
   Scalar log_weight = Scalar(0);          ///< log probability
   Scalar log_plausible = Scalar(0);       ///< log probability that the mass is plausible, as counted so far
   /// Log density at phi = 0 of the prior that the payload was drawn from; only if it was drawn, and nothing poured since.
@@ -29,7 +34,7 @@ struct Story {
   /// Whether both say the same of the present. They may differ in when it began.
   bool same(const Story& other) const noexcept {
     return mode == other.mode && payload == other.payload && (mode != Mode::Disturbed || how == other.how) &&
-           (mode != Mode::Pouring || quick == other.quick);
+           (mode != Mode::Pouring || quick == other.quick) && star.swings() == other.star.swings();
   }
   /// The name of a payload that is held from now on.
   int take_next() noexcept { return next++; }

@@ -57,7 +57,15 @@ class StoryFilter {
                  Innovation& out) noexcept {
     const Scalar duration = model_.block().duration;
     model_.predict(child.star);
-    if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) child.star.end_pour();
+    if (!transition.swings) child.star.end_swing();
+    if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) {
+      child.star.end_pour();
+      child.undecided.end_pour();
+    }
+    if (child.mode == Mode::Empty) child.undecided.let_go();
+    if (child.mode == Mode::Empty || child.mode == Mode::Disturbed) decide(child, child.star);
+    if (transition.anew) child.undecided.exchange();
+    if (child.mode == Mode::Changing && parent.mode != Mode::Changing) child.undecided.change(model_.exchange_likely());
     if (child.mode == Mode::Disturbed) {
       if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt)
         child.disturbance.begin(rated_);
@@ -72,6 +80,7 @@ class StoryFilter {
         drawn.star = child.star;
         drawn.mode = Mode::Held;
         draw(drawn, children.first(), out);
+        decide(child, drawn.star);
         return update(drawn, out) + log_plausible(drawn.star, kLightest);
       }
       Star star = child.star;
@@ -101,7 +110,11 @@ class StoryFilter {
         if (child.payload == 0) model_.suppose_hidden(child.star, payload_.com_mean);
         child.log_none.reset();
         child.pour.begin(child.star, payload_, rated_, child.quick);
-        if (child.payload == 0) child.payload = child.take_next();
+        child.undecided.pour(model_.exchange_likely());
+        if (child.payload == 0) {
+          child.payload = child.take_next();
+          child.held_for = Scalar(0);
+        }
       }
       child.pour.predict(child.star, duration, payload_, rated_);
     } else if (transition.anew) {
@@ -112,9 +125,20 @@ class StoryFilter {
       }
       child.payload = child.take_next();
       child.log_plausible = Scalar(0);
+      child.held_for = Scalar(0);
       draw(child, children.first(), out);
+      if (transition.swings) begin_swing(child, children.first().star, true);
+    } else if (transition.swings && parent.star.swings()) {
+      child.swing.predict(child.star, duration);
+    } else if (transition.swings) {  // so it may have swung before, unnoticed
+      child.star.widen_payload(Swing<Scalar, Dofs>::hidden(child.held_for));
+      begin_swing(child, child.star, false);
+      child.swing.predict(child.star, duration);
     }
+    child.held_for += duration;
     log_likelihood += update(child, out);
+    decide(child, child.star);
+    if (transition.swings) child.swing.learn(child.star, duration, weight(child.star));
     // What is poured begins with nothing. It may be as light as it likes, but not lighter than that.
     const Scalar plausible = log_plausible(child.star, child.mode == Mode::Pouring ? 0 : kLightest);
     log_likelihood += plausible - child.log_plausible;
@@ -123,6 +147,24 @@ class StoryFilter {
   }
 
  private:
+  static Scalar norm(const Vector3<Scalar>& v) noexcept { return std::sqrt(detail::dot(v, v)); }
+  /// The weight of the payload [N], of one that an arm like this one may hold.
+  Scalar weight(const Star& star) const noexcept {
+    return norm(model_.gravity()) * std::max(Scalar(kLightestSwing) * rated_, std::min(rated_, star.mass()));
+  }
+  /// Counts the block in what is undecided.
+  /// @param star  has what is held
+  void decide(Tale& story, const Star& star) noexcept {
+    story.undecided.update(star.mass(), star.poured_mass(), model_.block().duration, model_.risen(),
+                           norm(model_.gravity()));
+  }
+  /// What is held swings from now on.
+  /// @param shown  has its mass
+  /// @param goes   as in Swing
+  void begin_swing(Tale& story, const Star& shown, bool goes) noexcept {
+    story.log_none.reset();  // without the payload, nothing would swing
+    story.swing.begin(story.star, weight(shown), goes);
+  }
   /// What was taken for a wrench has been a weight all along. The blocks since it began are as likely as with the wrench,
   /// times how much better or worse a payload explains what is known of the wrench.
   template <typename Children>
@@ -135,6 +177,7 @@ class StoryFilter {
         wrench.disturbance.observe(model_, wrench.star, parent.how, log_jolt(), rated_, out.squared);
     log_likelihood += wrench.disturbance.weigh(model_, child.star, payload_, rated_);
     child.payload = child.take_next();
+    child.held_for = Scalar(0);
     draw(child, children.first(), out);
     child.log_none.reset();  // the blocks before were a wrench's
     (void)update(child, out);
@@ -146,6 +189,7 @@ class StoryFilter {
   Scalar log_jolt() const noexcept { return static_cast<Scalar>(std::log(model_.kind().jolt)); }
 
   static constexpr Scalar kNone = -std::numeric_limits<Scalar>::infinity();
+  static constexpr double kLightestSwing = 0.02;               // mass that may swing, per rated payload
   static constexpr double kLightest = 0.007, kHeaviest = 1.2;  // times the rated payload: 20 g and 3.6 kg on a Panda
 
   /// Draws a new payload. The prior of m r needs the mass, and the block itself shows the mass best. So the prior is for
@@ -182,7 +226,7 @@ class StoryFilter {
     Scalar log_likelihood = Scalar(0);
     out.squared = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
-      auto p = star.predict(j, model_.observation(j, mass));
+      auto p = star.predict(j, model_.observation(j, mass, star.swings()));
       const Scalar square = p.innovation * p.innovation;
       const auto log_density = [square](Scalar v) { return Scalar(-0.5) * (square / v + log(v)); };
       if (const Scalar jump = model_.stiction_jump(star, j); jump > 0) {  // a mixture of both
@@ -190,7 +234,7 @@ class StoryFilter {
         const Scalar share = Scalar(1) / (Scalar(1) + exp(stays - jumps));
         log_likelihood += std::max(stays, jumps) + log(Scalar(1) + exp(-abs(stays - jumps)));
         star.joint(j).covariance(kStiction, kStiction) += share * jump;
-        p = star.predict(j, model_.observation(j, mass));
+        p = star.predict(j, model_.observation(j, mass, star.swings()));
       } else {
         log_likelihood += log_density(p.variance);
       }
@@ -198,6 +242,7 @@ class StoryFilter {
       out.innovation[j] = p.innovation;
       out.variance[j] = p.variance;
       if (story.mode == Mode::Pouring) story.pour.observe(star, p);
+      if (star.swings()) story.swing.observe(star, p);
       star.observe(j, p);
     }
     return log_likelihood;

@@ -25,10 +25,15 @@ struct TrackerBelief {
   InertialGaussian<Scalar> payload;  ///< of phi, given that something is held
   /// Mean of what the robot's own model lacks at the last link: (m, m r) [kg, kg m], end-effector axes.
   Vector4<Scalar> tool = Vector4<Scalar>::Zero();
+  Scalar undecided =
+      Scalar(0);  ///< share of the payload that may be no weight (Undecided), given that something is held
   std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing, sum 1
   /// Normalised innovation squared, averaged over a second (docs/theory.md (T30)): 1 if the torque is as the model
   /// predicts it, at most 100.
   Scalar health = Scalar(1);
+  Scalar swinging = Scalar(0);         ///< probability that what is held swings
+  Scalar swing_frequency = Scalar(0);  ///< of the likeliest story in which it does; 0 if unknown [Hz]
+  Vector3<Scalar> swing_square = Vector3<Scalar>::Zero();  ///< mean square of the swing's force [N^2], world axes
 };
 
 /// Runs Histories for each kind of torque sensing, and averages their estimates by the probabilities of the kinds
@@ -173,7 +178,8 @@ class Tracker {
 
   /// What the host carries, as far as the tracker knows: the payload, and what the robot's own model lacks.
   InertialVector<Scalar> carried_body() const noexcept {
-    InertialVector<Scalar> phi = detail::scaled(Scalar(1) - belief_.empty, belief_.payload.mean);
+    const Scalar share = (Scalar(1) - belief_.empty) * Undecided<Scalar>::carried(belief_.undecided);
+    InertialVector<Scalar> phi = detail::scaled(share, belief_.payload.mean);
     for (int i = 0; i < 4; ++i) phi[i] += belief_.tool[i];
     return phi;
   }
@@ -228,7 +234,7 @@ class Tracker {
     InertialVector<Scalar> mean = InertialVector<Scalar>::Zero();
     InertialMatrix<Scalar> square = InertialMatrix<Scalar>::Zero();  // about the last mean, which is near
     const InertialVector<Scalar> near = belief_.payload.mean;
-    Scalar held = Scalar(0), all = Scalar(0);
+    Scalar held = Scalar(0), undecided = Scalar(0), all = Scalar(0), heaviest = Scalar(0);
     each(share, [&](const Kind& kind, int i, Scalar w) {
       const Story<Scalar, Dofs>& story = kind.story(i);
       out.probability[story.mode] += w;
@@ -236,7 +242,14 @@ class Tracker {
       for (int n = 0; n < 4; ++n) out.tool[n] += w * story.star.mean()[kTool + n];
       if (!kind.holds(i)) return;
       held += w;
+      if (story.star.swings()) {
+        out.swinging += w;
+        detail::add_scaled(out.swing_square, w, story.swing.square());
+        if (w > heaviest) out.swing_frequency = story.swing.frequency();
+        heaviest = std::max(heaviest, w);
+      }
       InertialGaussian<Scalar> payload = kind.payload(i);
+      undecided += w * story.undecided.of(payload.mean[0]);
       const auto spread = static_cast<Scalar>(kind.model().kind().spread);
       const auto gain = static_cast<Scalar>(kind.model().kind().gain);
       payload.covariance *= spread * spread;
@@ -248,12 +261,15 @@ class Tracker {
     });
     for (Scalar& p : out.probability.values) p /= all;
     out.tool /= all;
+    out.swinging /= all;
+    out.swing_square /= all;
     out.empty = std::max(Scalar(0), (all - held) / all);
     if (held > 0) {
       mean /= held;
       square /= held;
       detail::add_outer(square, detail::scaled(Scalar(-1), mean), mean);
       mean += near;
+      if (mean[0] > 0) out.undecided = std::min(Scalar(1), undecided / (held * mean[0]));
       out.payload = {mean, square};
       add_model_error(share, out.payload.covariance);
     }

@@ -19,6 +19,7 @@ struct Transition {
   bool anew = false;                  ///< of Mode::Held: a payload is drawn from the prior
   bool late = false;                  ///< of such a payload: the change has shown that the observer is not as stated
   bool never = false;                 ///< of Mode::Empty: there has been no payload since this one was drawn
+  bool swings = false;                ///< of Mode::Held: the payload swings
   bool turned = false;                ///< of such a payload: the wrench that acted has been its weight all along
 };
 
@@ -28,6 +29,9 @@ struct Transitions {
   static constexpr double kDisturbs = 1e-3;   ///< something begins to push
   static constexpr double kPours = 6e-4;      ///< something begins to flow into or out of what is held
   static constexpr double kFills = 1.2e-4;    ///< the same of an empty hand
+  static constexpr double kSwings = 3e-6;     ///< what is held begins to swing
+  static constexpr double kHangs = 3e-4;      ///< what is held from now on swings, as a share of that
+  static constexpr double kSwingEnds = 2e-3;  ///< a swing ends
   static constexpr double kAtOnce = 0.3;      ///< no block lies between the old payload, or none, and the new: as a
                                               ///< share of SensingKind::change, to a new payload and to an empty hand;
                                               ///< and a payload turns out never to have been there
@@ -47,7 +51,7 @@ struct Transitions {
   static constexpr double kLate = 0.5;
   static constexpr int kSlow = 10;  ///< blocks from one pour that begins to the next
   static constexpr int kSoon = 5;   ///< blocks from one pour that ends, or wrench that turns out a weight, to the next
-  static constexpr int kMost = 8;   ///< most transitions of one story
+  static constexpr int kMost = 11;  ///< most transitions of one story
 
   /// Calls use(transition) for each transition of a story.
   /// @param story      the parent
@@ -70,6 +74,7 @@ struct Transitions {
       Transition t = to(story.mode, probability);
       t.how = story.how;
       t.quick = story.quick;
+      t.swings = story.star.swings();
       t.goes_on = true;
       use(t);
     };
@@ -78,6 +83,16 @@ struct Transitions {
       t.how = how;
       use(t);
     };
+    const auto drawn = [&](double probability, double hangs, bool late) {  // it swings from the start, or it does not
+      Transition t = to(Mode::Held, probability * (1 - hangs));
+      t.anew = true;
+      t.late = late;
+      use(t);
+      t.probability = probability * hangs;
+      t.swings = true;
+      if (hangs > 0) use(t);
+    };
+    const double hangs = kHangs * kind.faint;
     switch (story.mode) {
       case Mode::Empty:
       case Mode::Held: {
@@ -85,7 +100,14 @@ struct Transitions {
         const double pours = (empty ? kFills : kPours) * kind.slowly, takes_up = empty ? kind.takes_up : 0;
         const double at_once = kAtOnce * change;
         const double never = !empty && story.log_none ? at_once : 0;
-        goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up);
+        const bool swings = story.star.swings();
+        const double turns = empty ? 0 : swings ? kSwingEnds : kSwings * kind.faint;
+        goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up - turns);
+        if (turns > 0 && (swings ? soon : !explained)) {
+          Transition t = to(Mode::Held, swings ? turns * kSoon : turns);
+          t.swings = !swings;
+          use(t);
+        }
         if (takes_up > 0) {
           Transition quickly = to(Mode::Pouring, takes_up);
           quickly.quick = true;
@@ -93,9 +115,7 @@ struct Transitions {
         }
         if (!explained) {
           use(to(Mode::Changing, change));
-          Transition drawn = to(Mode::Held, at_once);
-          drawn.anew = true;
-          use(drawn);
+          drawn(at_once, empty ? hangs : 0, false);
           disturbed(kDisturbs, Disturbing::Hand);
           disturbed(kind.jolt, Disturbing::Jolt);
         }
@@ -125,14 +145,8 @@ struct Transitions {
         const bool may_be_late = kind.lag > 0 && story.star.variance(kLag) < Scalar(kLate * kLate);
         goes_on(1 - kSettles - kEmpties - kTurnsOut);
         disturbed(kTurnsOut, Disturbing::Hand);
-        Transition drawn = to(Mode::Held, kSettles * (may_be_late ? 1 - kIsLate : 1));
-        drawn.anew = true;
-        use(drawn);
-        if (may_be_late) {
-          drawn.probability = kSettles * kIsLate;
-          drawn.late = true;
-          use(drawn);
-        }
+        drawn(kSettles * (may_be_late ? 1 - kIsLate : 1), hangs, false);
+        if (may_be_late) drawn(kSettles * kIsLate, hangs, true);
         use(to(Mode::Empty, kEmpties));
         break;
       }

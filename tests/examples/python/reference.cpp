@@ -61,8 +61,8 @@ class Table {
 
 void add_state(Table& table, const EstimatorState<double>& state) {
   // Every field by its name: with one more, this no longer compiles.
-  const auto& [time, updated, payload, inertial, probability, held, confidence, health, sensing, tool, changing,
-               change_onset, change_noticed, event] = state;
+  const auto& [time, updated, payload, inertial, probability, held, swinging, swing_frequency, undecided, confidence,
+               health, sensing, tool, changing, change_onset, change_noticed, event] = state;
   const auto& [mean, covariance] = payload;
   const auto& [phi, phi_covariance] = inertial;
   const auto& [number, kind, onset, noticed, over] = event;
@@ -75,6 +75,9 @@ void add_state(Table& table, const EstimatorState<double>& state) {
   table.add("state.inertial.covariance", phi_covariance);
   table.add("state.probability", probability.values);
   table.add("state.held", held);
+  table.add("state.swinging", swinging);
+  table.add("state.swing_frequency", swing_frequency);
+  table.add("state.undecided", undecided);
   table.add("state.confidence", confidence);
   table.add("state.health", health);
   table.add("state.sensing", sensing);

@@ -1,0 +1,132 @@
+#pragma once
+/// A payload that swings: it hangs, or what holds it gives.
+#include <algorithm>
+#include <cmath>
+#include <rme/core/small_matrix.hpp>
+#include <rme/core/types.hpp>
+#include <rme/tracking/rate.hpp>
+#include <rme/tracking/star_gaussian.hpp>
+
+namespace rme {
+
+/// The force of a swing: that with which a payload pulls at the hand beside its weight and its inertia. It has no mean, so
+/// what the hand holds is learned all the same. In each direction it changes at a rate of its own (docs/theory.md (T55)),
+///
+///     df/dt = r,   dr/dt = -L^2 f - 2 L r + noise
+///
+/// f is part of the star's x, r a Gaussian that is correlated with x. Their size is learned. Real time: nothing allocates.
+template <typename Scalar, int Dofs>
+class Swing {
+ public:
+  using Star = StarGaussian<Scalar, Dofs>;  ///< state of the filter
+
+  /// A swing that nothing is known of.
+  /// @param star    state; from here on it has the force as an unknown of its own
+  /// @param weight  of the payload [N], > 0
+  /// @param goes    it goes on already; otherwise the force is 0 as yet
+  void begin(Star& star, Scalar weight, bool goes) noexcept {
+    const Scalar force = Scalar(kForce) * weight;
+    *this = Swing();
+    variance_.setConstant(force * force);
+    star.begin_swing(goes ? variance_ : Vector3<Scalar>(Vector3<Scalar>::Zero()));
+    for (int i = 0; i < 3; ++i) rate_.covariance(i, i) = Scalar(kReturn * kReturn) * variance_[i];
+  }
+  /// Time update of the force and of its rate.
+  /// @param star      state
+  /// @param duration  of the block [s]
+  void predict(Star& star, Scalar duration) noexcept {
+    // (f, r) <- A (f, r) + noise, A = [stays gains; pulls keeps] e^(-L T), whose stationary covariance is s (1, L^2).
+    const Scalar L = Scalar(kReturn), T = duration, fade = std::exp(-L * T);
+    const Scalar stays = fade * (1 + L * T), gains = fade * T, pulls = -fade * L * L * T, keeps = fade * (1 - L * T);
+    const Scalar again = pulls / stays;  // of f after the update, in its rate
+    const SharedMatrix<Scalar> before = star.covariance();
+    Matrix4<Scalar> after = Matrix4<Scalar>::Zero(), noise = after;
+    Vector4<Scalar> mixed = Vector4<Scalar>::Zero();  // cov(noise of f, noise of r)
+    for (int i = 0; i < 3; ++i) {
+      const Scalar s = variance_[i];
+      noise(i, i) = s * (1 - stays * stays - L * L * gains * gains);
+      mixed[i] = -s * (stays * pulls + L * L * gains * keeps);
+      after(i, i) = s * (L * L - pulls * pulls - L * L * keeps * keeps);
+    }
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        after(i, k) += pulls * pulls * before(kSwing + i, kSwing + k) + keeps * keeps * rate_.covariance(i, k) +
+                       pulls * keeps * (rate_.cross(kSwing + i, k) + rate_.cross(kSwing + k, i));
+    Vector4<Scalar> mean = detail::scaled(keeps, rate_.mean);
+    for (int i = 0; i < 3; ++i) mean[i] += pulls * star.mean()[kSwing + i];
+    star.scale_swing(stays);
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) rate_.cross(kSwing + i, k) *= stays;
+    star.drift(gains, rate_.mean, rate_.cross, rate_.covariance, noise);
+    // r = again f + (keeps - again gains) r_before + noise, with f after the update.
+    const SharedMatrix<Scalar> total = star.covariance();
+    rate_.cross *= keeps - again * gains;
+    for (int k = 0; k < 3; ++k) {
+      for (int i = 0; i < kShared; ++i) rate_.cross(i, k) += again * total(i, kSwing + k);
+      rate_.cross(kSwing + k, k) += mixed[k] - again * noise(k, k);
+    }
+    rate_.mean = mean;
+    rate_.covariance = after;
+  }
+  /// Updates the rate with an observation; to be called before star.observe(j, p).
+  void observe(const Star& star, const typename Star::Prediction& p) noexcept { rate_.observe(star, p); }
+  /// Learns the size of the swing and its frequency. The size is that of the rate: a force that stays belongs to the payload.
+  /// @param star      state, after the block
+  /// @param duration  of the block [s]
+  /// @param weight    of the payload [N], > 0
+  void learn(const Star& star, Scalar duration, Scalar weight) noexcept {
+    const Scalar share = Scalar(1) - std::exp(-duration / Scalar(kMemory));
+    const Scalar slow = Scalar(1) - std::exp(-duration / Scalar(kMiddle));
+    const Scalar least = Scalar(kLeast) * weight, most = Scalar(kMost) * weight;
+    int axis = 0;
+    Vector3<Scalar> off;
+    for (int i = 0; i < 3; ++i) {
+      const Scalar square = (rate_.mean[i] * rate_.mean[i] + rate_.covariance(i, i)) / Scalar(kReturn * kReturn);
+      variance_[i] += share * (square - variance_[i]);
+      variance_[i] = std::max(least * least, std::min(most * most, variance_[i]));
+      off[i] = star.mean()[kSwing + i] - middle_[i];
+      middle_[i] += slow * off[i];
+      moves_[i] += slow * (off[i] * off[i] - moves_[i]);
+      if (moves_[i] > moves_[axis]) axis = i;
+    }
+    since_ += duration;
+    if (off[axis] * off[axis] < Scalar(kEdge * kEdge) * moves_[axis]) return;
+    const int side = off[axis] > 0 ? 1 + axis : -1 - axis;
+    if (side == side_) return;
+    if (side == -side_ && turns_ > 0) half_ = half_ > 0 ? half_ + Scalar(kNewest) * (since_ - half_) : since_;
+    turns_ = side == -side_ ? 1 : 0;
+    side_ = side;
+    since_ = Scalar(0);
+  }
+  /// Mean square of the force in each direction in the last second [N^2], world axes. 0 until it has gone to both sides: a
+  /// force that only grows may be a touch.
+  Vector3<Scalar> square() const noexcept { return half_ > 0 ? moves_ : Vector3<Scalar>(Vector3<Scalar>::Zero()); }
+  /// Frequency of the swing, from the times between its turns; 0 before there were two [Hz].
+  Scalar frequency() const noexcept { return half_ > 0 ? Scalar(0.5) / half_ : Scalar(0); }
+
+  /// Mean square of the relative error that a swing has caused in a payload before it was noticed. One that has been there
+  /// for longer would have been noticed.
+  /// @param held_for  since the payload was drawn [s]
+  static Scalar hidden(Scalar held_for) noexcept {
+    return Scalar(kHidden * kHidden) * std::exp(-held_for / Scalar(kUnnoticed));
+  }
+
+ private:
+  static constexpr double kForce = 0.1;   // standard deviation of the force in each direction at first, per weight
+  static constexpr double kReturn = 20;   // L, how quickly the force returns to zero [1/s]
+  static constexpr double kMemory = 0.3;  // time constant with which the size is learned [s]
+  static constexpr double kLeast = 0.01, kMost = 0.1;   // bounds of the size, per weight
+  static constexpr double kHidden = 0.03;               // relative error of a payload that swings unnoticed
+  static constexpr double kUnnoticed = 0.3;             // for how long a swing stays unnoticed [s]
+  static constexpr double kMiddle = 1;                  // memory of the middle of the swing [s]
+  static constexpr double kEdge = 0.3;                  // how far out of it a side begins, in standard deviations
+  static constexpr double kNewest = 0.3;                // share of the newest half period in the frequency
+  Vector3<Scalar> variance_ = Vector3<Scalar>::Zero();  // size: of the force in each direction [N^2], world axes
+  Rate<Scalar, Dofs> rate_;                             // r [N/s]; its fourth entry is 0
+  Vector3<Scalar> middle_ = Vector3<Scalar>::Zero();    // mean of the force's estimate in the last second [N]
+  Vector3<Scalar> moves_ = Vector3<Scalar>::Zero();     // its variance [N^2]
+  Scalar since_ = Scalar(0), half_ = Scalar(0);         // time since the last turn, and half the period; 0: unknown [s]
+  int side_ = 0, turns_ = 0;  // on which side it is: 1 + axis, or minus that; whether the last side was the other one
+};
+
+}  // namespace rme
