@@ -127,11 +127,14 @@ class Histories {
   Scalar innovation_squared() const noexcept { return innovation_squared_; }
   const JointTorqueModel<Scalar, Dofs>& model() const noexcept { return filter_.model(); }  ///< of the arm
 
-  /// Probability that something is poured, or that something else acts on the arm, of this kind's stories.
+  /// Probability that something is poured, or that something else acts on the arm, of this kind's stories. What begins to
+  /// swing long after it was picked up may be led by a hand.
   Scalar disturbed() const noexcept {
     Scalar sum = Scalar(0);
-    for (int i = 0; i < count_; ++i)
-      if (told(i).mode == Mode::Disturbed || told(i).mode == Mode::Pouring) sum += weight(i);
+    for (int i = 0; i < count_; ++i) {
+      const bool swings = told(i).star.swings() && told(i).held_for > Scalar(kPickUp);
+      if (told(i).mode == Mode::Disturbed || told(i).mode == Mode::Pouring || swings) sum += weight(i);
+    }
     return std::min(Scalar(1), sum);
   }
   /// The host says that the hand is empty: that becomes a story of the given probability.
@@ -183,6 +186,7 @@ class Histories {
   static constexpr double kSurprise = 2;        // innovation squared per joint from which a block is explained badly
   static constexpr double kHeldAtStart = 0.03;  // probability that something is held at the start
 
+  static constexpr double kPickUp = 1;     // how long a swing may belong to the pick-up [s]
   static constexpr double kPourDepth = 8;  // log odds at which a pour is given up while nothing happens [nats]
   static constexpr int kPlans = Transitions::kMost * Capacity;
 
