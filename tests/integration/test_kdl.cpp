@@ -318,7 +318,7 @@ TEST_CASE("KDL: at rest under friction that nobody told, an estimate does not fo
   double sum = 0;
   int lives = 0, beyond = 0, ghosts = 0;
   const auto live_often = [&](const Arm& arm, double rated, const std::vector<double>& masses) {
-    for (unsigned seed = 17; seed < 25; ++seed) {
+    for (unsigned seed = 17; seed < 41; ++seed) {
       for (const double mass : masses) {
         const Found found = live<6>(arm, rated, mass, false, kBoth, seed);
         CAPTURE(seed, mass);
@@ -334,8 +334,8 @@ TEST_CASE("KDL: at rest under friction that nobody told, an estimate does not fo
   live_often(kLarge, 10, {1, 5, 10});
   CAPTURE(lives);
   CHECK(sum / lives < kRough.least);
-  CHECK(beyond <= lives / 6);
-  CHECK(ghosts <= 2);  // of 56
+  CHECK(beyond <= lives / 5);
+  CHECK(ghosts <= 4);  // of 168
 }
 
 // Hidden: a target that is not reached at rest, nor always can be. There friction may hold any torque up to its size:

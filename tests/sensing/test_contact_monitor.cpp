@@ -108,6 +108,13 @@ TEST_CASE("ContactMonitor: the stated rate sets the threshold by the tail of the
   CHECK(threshold.threshold() > 20 - 3 * std::log(1e-4));
 }
 
+TEST_CASE("ContactMonitor: what the variance expects is usual, also after a value far beyond all others", "[contact]") {
+  rme::ExtremeThreshold<double, 7> threshold(1e-4);
+  for (int i = 0; i < 30; ++i) threshold.learn(0.3);
+  for (int i = 0; i < 2; ++i) threshold.learn(1500);
+  CHECK(threshold.usual() >= 7);
+}
+
 TEST_CASE("ContactMonitor: a force of 5 N at the tip is noticed within 10 ms, and is over when it is gone",
           "[contact]") {
   std::mt19937_64 random(7);

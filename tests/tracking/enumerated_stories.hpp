@@ -41,7 +41,7 @@ class EnumeratedStories {
 
   EnumeratedStories(const H& fresh, const PayloadPrior<double>& prior, double rated, bool adds_up)
       : prior_(prior), rated_(rated), adds_up_(adds_up) {
-    for (int i = 0; i < 2; ++i) stories.push_back(fresh.story(i));
+    for (int i = 0; i < fresh.count(); ++i) stories.push_back(fresh.story(i));
   }
 
   /// Takes in the block that `model` has begun.

@@ -398,6 +398,43 @@ TEST_CASE("JointTorqueModel: the torque depends on lag, tool, tilt and payload a
 }
 
 TEST_CASE(
+    "JointTorqueModel: what is known of a tilt turns the payload's weight too, if the arm's gravity torque is known",
+    "[joint_torque]") {
+  const unsigned seed = 706;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const auto draw = [&] { return normal(random); };
+  const Eigen::Vector3d gravity(0.8, -1.1, -9.7);
+  const Model::Tilt angles(0.05, -0.03);
+  Model model(rme::kind_of(Sensing::LinkSide), kArm, 3, 0.01, gravity);
+  Block block = at_rest();
+  block.jacobian = block.jacobian.NullaryExpr(draw);
+  block.rotation = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+  block.regressor = block.regressor.NullaryExpr(draw);
+  model.begin(block, Regime(), {}, angles);
+  for (int j = 0; j < kDofs; ++j)
+    CHECK(model.observation(j, 0).h.segment<rme::kInertial>(rme::kPayload).transpose() == block.regressor.row(j));
+  // An arm whose joints show the coordinates of gravity tells by how much the angles change it.
+  Eigen::Vector3d changed = Eigen::Vector3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    block.gravity_torque = Eigen::Matrix<double, kDofs, 3>::Zero();
+    (*block.gravity_torque)(0, axis) = 1;
+    model.begin(block, Regime(), {}, angles);
+    changed[axis] = -model.observation(0, 0).h.segment<2>(rme::kTilt).dot(angles);
+  }
+  CHECK(changed.norm() == Approx(angles.norm() * gravity.norm()));
+  CHECK(std::abs(changed.dot(gravity)) < 1e-9);
+  const Eigen::Matrix<double, 6, rme::kInertial> difference =
+      rme::inertial_wrench_regressor<double>(block.rotation, gravity + changed, {}) -
+      rme::inertial_wrench_regressor<double>(block.rotation, gravity, {});
+  for (int j = 0; j < kDofs; ++j)
+    CHECK((model.observation(j, 0).h.segment<rme::kInertial>(rme::kPayload).transpose() - block.regressor.row(j) -
+           block.jacobian.col(j).transpose() * difference)
+              .norm() < 1e-9);
+}
+
+TEST_CASE(
     "JointTorqueModel: a payload that was hidden by the nuisances changes no prediction, and all the more the mass",
     "[joint_torque]") {
   Scene scene(Sensing::JointFriction);

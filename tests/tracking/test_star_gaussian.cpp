@@ -369,6 +369,14 @@ TEST_CASE("StarGaussian: a payload that swings keeps the moments of every pair, 
     // It begins to swing, whatever else is known.
     const rme::Vector3<double> size = random_vector(random, 3).cwiseAbs2();
     expected = dense(star);
+    const rme::Vector4<double> tool = expected.covariance.diagonal().segment<4>(kTool);
+    Matrix T = Matrix::Identity(kAll, kAll);  // the tool is known, so what depended on it does so no more
+    for (int i = 0; i < 4; ++i) {
+      T(kTool + i, kTool + i) = 0;
+      for (int j = 0; j < kJoints; ++j)
+        for (int n = 0; n < kJointNuisances; ++n) T(first(j) + n, kTool + i) = -star.joint(j).slope(kTool + i, n);
+    }
+    expected.covariance = T * expected.covariance * T.transpose();
     for (int i = 0; i < 3; ++i) expected.covariance(kSwing + i, kSwing + i) = size[i];
     star.begin_swing(size);
     CHECK(star.swings());
@@ -382,17 +390,20 @@ TEST_CASE("StarGaussian: a payload that swings keeps the moments of every pair, 
     // The force is scaled.
     const Dense before = dense(star);
     const double scale = 0.3 + 0.1 * (k % 11);
-    Matrix T = Matrix::Identity(kAll, kAll);
+    T = Matrix::Identity(kAll, kAll);
     for (int i = 0; i < 3; ++i) T(kSwing + i, kSwing + i) = scale;
     Star changed = star;
     changed.scale_swing(scale);
     CHECK(difference(dense(changed), mapped(T, before)) < 1e-9);
-    // It ends: the rest is as it was.
+    // It ends: the tool is what it was, and as uncertain; the rest is as it was.
+    CHECK(before.mean.segment<4>(kTool) == expected.mean.segment<4>(kTool));
     for (int i = 0; i < 3; ++i) T(kSwing + i, kSwing + i) = 0;
+    expected = mapped(T, before);
+    expected.covariance.diagonal().segment<4>(kTool) += tool;
     changed = star;
     changed.end_swing();
     CHECK_FALSE(changed.swings());
-    CHECK(difference(dense(changed), mapped(T, before)) < 1e-9);
+    CHECK(difference(dense(changed), expected) < 1e-9);
     changed.begin_pour();
     CHECK(changed.mass() == changed.mean()[kPayload] + changed.mean()[kPoured]);
     // What empties the hand ends it as well.
@@ -405,6 +416,7 @@ TEST_CASE("StarGaussian: a payload that swings keeps the moments of every pair, 
       if (how == 3)
         changed.draw_payload(random_vector(random, kInertial), oracle::random_matrix(random, kInertial, kInertial));
       CHECK_FALSE(changed.swings());
+      for (int i = 0; i < 4; ++i) CHECK(changed.variance(kTool + i) >= (1 - 1e-9) * tool[i]);
       CHECK(changed.mean().tail<4>().norm() == 0);
       CHECK(changed.covariance().bottomRows<4>().norm() == 0);
     }

@@ -59,7 +59,7 @@ TEST_CASE("Undecided: pours add up, and what flows out was the undecided part", 
 }
 
 TEST_CASE(
-    "Undecided: a payload that is felt at once is one; felt little by little, or after something undecided, or as a "
+    "Undecided: a payload that is felt at once is one. Felt little by little, or after something undecided, or as a "
     "wrench, it may be none",
     "[undecided]") {
   Undecided at_once;

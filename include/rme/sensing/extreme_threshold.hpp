@@ -42,7 +42,8 @@ class ExtremeThreshold {
     solve();
   }
   Scalar threshold() const noexcept { return threshold_; }  ///< exceeded as seldom as is stated
-  Scalar usual() const noexcept { return usual_; }          ///< mu: exceeded about once in a window
+  /// mu: exceeded about once in a window; not below what chi-square is on average.
+  Scalar usual() const noexcept { return usual_; }
 
   static constexpr double kWindow = 1;  ///< duration of a window [s]
 
@@ -56,7 +57,7 @@ class ExtremeThreshold {
 
   void solve() noexcept {
     const double beta = std::sqrt(6 * variance_) / kPi, mu = mean_ - kEuler * beta;
-    usual_ = static_cast<Scalar>(mu);
+    usual_ = static_cast<Scalar>(std::max(static_cast<double>(Degrees), mu));
     threshold_ = static_cast<Scalar>(mu + reach_ * beta);
   }
 

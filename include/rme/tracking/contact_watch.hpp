@@ -72,7 +72,8 @@ class ContactWatch {
   void judge(const TorqueBlock<Scalar, Dofs>& block, const TrackerBelief<Scalar>& belief,
              const EventMonitor<Scalar>& events) noexcept {
     const PerMode<Scalar>& p = belief.probability;
-    const bool settled = p[Mode::Empty] + p[Mode::Held] + p[Mode::Pouring] > Scalar(kSettled);
+    // A swing that has not gone to both sides yet explains what a touch would be.
+    const bool settled = p[Mode::Empty] + p[Mode::Held] + p[Mode::Pouring] - belief.swing_begins > Scalar(kSettled);
     // Without a change, and unless something is poured, a payload that is estimated anew is the same one.
     const bool same = settled_ && settled && p[Mode::Pouring] < Scalar(0.5);
     settled_ = settled;
@@ -98,6 +99,7 @@ class ContactWatch {
       monitor_.refine(change, {detail::product(usual_[0], step), detail::product(usual_[1], step)});
     else
       monitor_.replace(change);
+    changed_ = changed_ || (monitor_.state().contact && belief.swinging - belief.swing_begins > Scalar(0.5));
     decide(events, p[Mode::Disturbed] > Scalar(0.5), block.end);
   }
   /// The host says something of the payload, and the tracker believes it: tau_ext may change at once.
@@ -209,7 +211,7 @@ class ContactWatch {
   bool settled_ = true;                                                // payload and arm explained the last block
   int number_ = 0;                                                     // of the contact that disturbed_ belongs to
   bool disturbed_ = false;                                             // a block was disturbed during the contact
-  bool changed_ = false;  // the payload that explains the torque has changed since the contact began
+  bool changed_ = false;  // since the contact began, the payload that explains the torque has changed, or has swung
 };
 
 }  // namespace rme

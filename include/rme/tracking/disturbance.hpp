@@ -46,12 +46,10 @@ class Disturbance {
   void predict(Disturbing how, Scalar duration, Scalar rated_payload) noexcept {
     const Scalar blocks = duration / Scalar(kTrembleTime);
     const double share = how == Disturbing::Hand ? kTremble : how == Disturbing::Growing ? kOwn : 0;
-    detail::add_scaled(covariance_, Scalar(share * share) * blocks, any(rated_payload));
-    if (how != Disturbing::Growing) return;
-    Scalar square = Scalar(0.01) * rated_payload * rated_payload;
-    for (int i = 0; i < 3; ++i) square = std::max(square, mean_[i] * mean_[i]);
-    const Scalar growth = size_ * size_ * Scalar(kGrowth * kGrowth) * rated_payload * rated_payload * blocks / square;
-    detail::add_outer(covariance_, detail::scaled(growth, mean_), mean_);
+    Eigen::Matrix<Scalar, 6, 6> change = detail::scaled(Scalar(share * share) * blocks, any(rated_payload));
+    if (how == Disturbing::Growing) grow(change, blocks, rated_payload);
+    covariance_ += change;
+    prior_ += change;
   }
   /// Takes in the block of the model's last begin(): learns the wrench, and the arm's nuisances in `star`. Of a jolt nothing
   /// is learned.
@@ -132,11 +130,9 @@ class Disturbance {
   Scalar weigh(const Model& model, const Star& star, const PayloadPrior<Scalar>& payload, Scalar rated) const noexcept {
     using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
     constexpr auto kNone = -std::numeric_limits<Scalar>::infinity();
-    const Matrix6 W = any(size_ * rated);
-    Matrix6 none = Matrix6::Zero();  // W^-1: what is known of a wrench that nothing is known of
-    for (int i = 0; i < 6; ++i) none(i, i) = Scalar(1) / W(i, i);
-    const Cholesky<Scalar, 6> known(covariance_);
-    if (!known.positive_definite()) return kNone;
+    const Cholesky<Scalar, 6> known(covariance_), unknown(prior_);
+    if (!known.positive_definite() || !unknown.positive_definite()) return kNone;
+    Matrix6 none = unknown.inverse();  // W^-1: what is known of a wrench of which no block has shown anything
     // What the blocks have shown, as information: that of the wrench less that of its prior.
     Matrix6 shown = known.inverse();
     shown -= none;
@@ -156,7 +152,7 @@ class Disturbance {
     const Cholesky<Scalar, 6> any_wrench(none);
     if (!any_wrench.positive_definite()) return kNone;
     Scalar log_any = Scalar(0.5) * detail::dot(shown_mean, any_wrench.solve(shown_mean)) - any_wrench.log_det_lower();
-    for (int i = 0; i < 6; ++i) log_any -= Scalar(0.5) * std::log(W(i, i));
+    log_any -= unknown.log_det_lower();
     // Of the weight of a payload, w = Y (phi - held), where phi is from the prior for the mass that the wrench shows.
     const Eigen::Matrix<Scalar, 6, 4> Y = weight_regressor(model);
     const Scalar mass = std::max(Scalar(0.02) * rated, std::min(rated, star.mass() + weighs(model)));
@@ -208,8 +204,15 @@ class Disturbance {
   /// @param size  s
   void begin(Scalar rated, Scalar size) noexcept {
     mean_.setZero();
-    covariance_ = any(size * rated);
+    covariance_ = prior_ = any(size * rated);
     size_ = size;
+  }
+  /// Adds what a wrench that grows along itself changes by.
+  void grow(Eigen::Matrix<Scalar, 6, 6>& change, Scalar blocks, Scalar rated) const noexcept {
+    Scalar square = Scalar(0.01) * rated * rated;
+    for (int i = 0; i < 3; ++i) square = std::max(square, mean_[i] * mean_[i]);
+    const Scalar growth = size_ * size_ * Scalar(kGrowth * kGrowth) * rated * rated * blocks / square;
+    detail::add_outer(change, detail::scaled(growth, mean_), mean_);
   }
   /// Cholesky's factor of a covariance of all joints' torques. Combinations of torques that no wrench makes have standard
   /// deviations a hundred times smaller than the others. In float, their variances are hardly above the rounding errors of
@@ -308,6 +311,8 @@ class Disturbance {
   bool begins_ = false;      // with the next block
   Vector6<Scalar> mean_ = Vector6<Scalar>::Zero();
   Eigen::Matrix<Scalar, 6, 6> covariance_ = Eigen::Matrix<Scalar, 6, 6>::Zero();
+  Eigen::Matrix<Scalar, 6, 6> prior_ =
+      Eigen::Matrix<Scalar, 6, 6>::Zero();  // of w, if no block had shown anything of it
 };
 
 }  // namespace rme

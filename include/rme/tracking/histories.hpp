@@ -35,20 +35,23 @@ class Histories {
   using Tale = Story<Scalar, Dofs>;                        ///< a story
   using Children = StoryChildren<Scalar, Dofs, Capacity>;  ///< of a block
 
-  /// At first the hand is empty, or something is already held. Parameters as in Tracker; `kind` is the row of the
-  /// kind assumed.
+  /// At first the hand is empty, or something is already held, or the arm is not as stated: its base is tilted, or its
+  /// sensors are off. Parameters as in Tracker; `kind` is the row of the kind assumed.
   Histories(const SensingKind& kind, const ArmPrior<Scalar, Dofs>& arm, const PayloadPrior<Scalar>& payload,
             Scalar rated_payload, const Vector3<Scalar>& gravity) noexcept
       : filter_(kind, arm, payload, rated_payload, gravity) {
     using std::log;
     Tale& empty = told(0);
     empty.star = filter_.model().prior();
-    empty.log_weight = log(Scalar(1) - Scalar(kHeldAtStart));
+    empty.log_weight = log(Scalar(1) - Scalar(kHeldAtStart) - Scalar(kOffAtStart));
     told(1) = empty;
     Tale& holds = told(1);
     holds.mode = Mode::Changing;
     holds.log_weight = log(Scalar(kHeldAtStart));
-    count_ = 2;
+    told(2) = empty;
+    told(2).log_weight = log(Scalar(kOffAtStart));
+    for (int j = 0; j < Dofs; ++j) told(2).star.joint(j).covariance(kOffset, kOffset) *= Scalar(kOff * kOff);
+    count_ = 3;
   }
 
   /// Starts a block.
@@ -59,7 +62,8 @@ class Histories {
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
              const BlockContext<Scalar, Dofs>& context, Children& children) noexcept {
     work_ = &children;
-    filter_.model().begin(block, regime, context);
+    const auto& mean = told(0).star.mean();
+    filter_.model().begin(block, regime, context, {mean[kTilt], mean[kTilt + 1]});
     exchange_likely_ = context.exchange_likely;
     log_share_ = context.log_share;
     heaviest_ = Scalar(-1e30);
@@ -127,11 +131,14 @@ class Histories {
   Scalar innovation_squared() const noexcept { return innovation_squared_; }
   const JointTorqueModel<Scalar, Dofs>& model() const noexcept { return filter_.model(); }  ///< of the arm
 
-  /// Probability that something is poured, or that something else acts on the arm, of this kind's stories.
+  /// Probability that something is poured, or that something else acts on the arm, of this kind's stories. What begins to
+  /// swing long after it was picked up may be led by a hand.
   Scalar disturbed() const noexcept {
     Scalar sum = Scalar(0);
-    for (int i = 0; i < count_; ++i)
-      if (told(i).mode == Mode::Disturbed || told(i).mode == Mode::Pouring) sum += weight(i);
+    for (int i = 0; i < count_; ++i) {
+      const bool swings = told(i).star.swings() && told(i).held_for > Scalar(kPickUp);
+      if (told(i).mode == Mode::Disturbed || told(i).mode == Mode::Pouring || swings) sum += weight(i);
+    }
     return std::min(Scalar(1), sum);
   }
   /// The host says that the hand is empty: that becomes a story of the given probability.
@@ -183,7 +190,10 @@ class Histories {
   static constexpr double kSurprise = 2;        // innovation squared per joint from which a block is explained badly
   static constexpr double kHeldAtStart = 0.03;  // probability that something is held at the start
 
-  static constexpr double kPourDepth = 8;  // log odds at which a pour is given up while nothing happens [nats]
+  static constexpr double kOffAtStart = 0.01;  // probability that the arm's torques are off by more than stated
+  static constexpr double kOff = 30;           // how much more, times the stated offset
+  static constexpr double kPickUp = 1;         // how long a swing may belong to the pick-up [s]
+  static constexpr double kPourDepth = 8;      // log odds at which a pour is given up while nothing happens [nats]
   static constexpr int kPlans = Transitions::kMost * Capacity;
 
   static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }

@@ -26,6 +26,7 @@ class JointTorqueModel {
  public:
   using Star = StarGaussian<Scalar, Dofs>;   ///< state of a filter
   using Torque = JointVector<Scalar, Dofs>;  ///< one number per joint
+  using Tilt = Eigen::Matrix<Scalar, 2, 1>;  ///< of the base [rad]
 
   /// @param kind           row of the kind of torque sensing
   /// @param arm            sizes of noise, offset, residual and friction before the first sample
@@ -71,8 +72,10 @@ class JointTorqueModel {
   /// @param regime   which joints rest in it
   /// @param context  what else is known of it. Unless friction_shows is set, a change of the torque while the arm rests
   ///                 is not taken for a change of friction
+  /// @param tilt     what is known of it: where the block has the arm's gravity torque, the payload's weight is turned by
+  ///                 it as well
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
-             const BlockContext<Scalar, Dofs>& context = {}) noexcept;
+             const BlockContext<Scalar, Dofs>& context = {}, const Tilt& tilt = Tilt::Zero()) noexcept;
   /// Time update: changes the nuisances from the last block to this one. To be called before the update with the
   /// block's torque.
   void predict(Star& star) const noexcept;
@@ -212,7 +215,7 @@ class JointTorqueModel {
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                            const FrictionRegime<Scalar, Dofs>& regime,
-                                           const BlockContext<Scalar, Dofs>& context) noexcept {
+                                           const BlockContext<Scalar, Dofs>& context, const Tilt& tilt) noexcept {
   constexpr double kCorrelated = 2.5;
   constexpr double kTiming = 0.0006;   // standard deviation of the torque's timing error [s]
   constexpr double kSteps = 8.0 / 12;  // variance of a rounding error, 1 / 12, times the blocks that it may last
@@ -243,6 +246,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     inertia_noise_[j] = linear * lever + (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) * turn;
   }
   tilt_.setZero();
+  Vector3<Scalar> turned = Vector3<Scalar>::Zero();  // by how much the tilt changes gravity
   if (block.gravity_torque) {  // two axes across gravity; turning gravity by a small angle about e adds e x g to it
     const Vector3<Scalar> g = gravity_;
     const int least = std::abs(g[0]) < std::abs(g[2]) ? 0 : 2;
@@ -253,8 +257,18 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     for (int j = 0; j < Dofs; ++j)
       for (int k = 0; k < 2; ++k)
         for (int axis = 0; axis < 3; ++axis) tilt_(j, k) -= (*block.gravity_torque)(j, axis) * along[k][axis];
+    for (int k = 0; k < 2; ++k) detail::add_scaled(turned, tilt[k], along[k]);
   }
   block_ = block;
+  if (block.gravity_torque) {  // what is held hangs along gravity as it is
+    const Matrix3<Scalar> lever = detail::product(skew(turned), block.rotation);
+    for (int j = 0; j < Dofs; ++j) {
+      for (int axis = 0; axis < 3; ++axis) {
+        block_.regressor(j, 0) += block.jacobian(axis, j) * turned[axis];
+        for (int i = 0; i < 3; ++i) block_.regressor(j, 1 + i) -= block.jacobian(3 + axis, j) * lever(axis, i);
+      }
+    }
+  }
   regime_ = regime;
   friction_shows_ = context.friction_shows;
   exchange_likely_ = context.exchange_likely;

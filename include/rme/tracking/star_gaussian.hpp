@@ -173,6 +173,7 @@ class StarGaussian {
   /// Marginalises the payload: the hand is empty afterwards, and everything else keeps its marginal distribution.
   void forget_payload() noexcept {
     if (empty()) return;
+    end_swing();
     XMatrix arm = covariance();
     for (int i = 0; i < kShared; ++i)
       for (int k = 0; k < kShared; ++k)
@@ -186,7 +187,6 @@ class StarGaussian {
       return kept;
     });
     size_ = kArmShared;
-    swings_ = false;
   }
   /// Puts a payload phi ~ N(mean, factor factor^T), independent of everything else, in place of the present one.
   void draw_payload(const InertialVector<Scalar>& mean, const InertialMatrix<Scalar>& factor) noexcept {
@@ -214,6 +214,7 @@ class StarGaussian {
   /// @return log density of phi at 0 before [nats], without the constant factor of 2 pi (docs/theory.md (T51))
   Scalar payload_is_none() noexcept {
     if (empty()) return Scalar(0);
+    end_swing();
     Scalar log_density = Scalar(0);
     for (int i = kPayload; i < kPayload + kInertial; ++i) {
       Prediction p;
@@ -237,7 +238,6 @@ class StarGaussian {
     }
     if (const Factor factor(arm); factor.finite()) factor_ = factor.lower();
     size_ = kArmShared;
-    swings_ = false;
     return log_density;
   }
   /// Counts the payload as part of the tool. The hand is empty afterwards.
@@ -272,10 +272,16 @@ class StarGaussian {
     detail::add_outer(total, detail::scaled(square, along), along);
     restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
   }
-  /// From now on, the payload swings, with a force of zero mean. Nothing may be poured meanwhile.
+  /// From now on, the payload swings, with a force of zero mean. Nothing may be poured meanwhile. Until it ends, nothing is
+  /// learned of the tool: new force couples the joints, and what a star loses of that would let the tool drift against the
+  /// joints' offsets.
   /// @param variance  of the force [N^2], world axes
   void begin_swing(const Vector3<Scalar>& variance) noexcept {
     using std::sqrt;
+    for (int i = 0; i < 4; ++i) {
+      tool_variance_[i] = this->variance(kTool + i);
+      for (int k = 0; k < kShared; ++k) factor_(kTool + i, k) = Scalar(0);
+    }
     for (int i = 0; i < 3; ++i) factor_(kSwing + i, kSwing + i) = sqrt(variance[i]);
     size_ = kShared;
     swings_ = true;
@@ -289,7 +295,7 @@ class StarGaussian {
         for (int n = 0; n < kJointNuisances; ++n) joint.slope(i, n) /= scale;
     }
   }
-  /// The payload swings no more: marginalises the force.
+  /// The payload swings no more: marginalises the force. What is known of the tool is as uncertain as before.
   void end_swing() noexcept {
     if (!swings_) return;
     X mean = mean_;
@@ -298,7 +304,9 @@ class StarGaussian {
       mean[i] = Scalar(0);
       for (int k = 0; k < kShared; ++k) kept(i, k) = Scalar(0);
     }
-    restate(mean, detail::outer_square(kept), [](const Slope& cross, const Slope&) {
+    XMatrix total = detail::outer_square(kept);
+    for (int i = 0; i < 4; ++i) total(kTool + i, kTool + i) += tool_variance_[i];
+    restate(mean, total, [](const Slope& cross, const Slope&) {
       Slope left = cross;
       for (int n = 0; n < kJointNuisances; ++n)
         for (int i = kSwing; i < kSwing + 3; ++i) left(i, n) = Scalar(0);
@@ -479,6 +487,7 @@ class StarGaussian {
   X mean_ = X::Zero();
   XMatrix factor_ = XMatrix::Zero();  // F
   bool swings_ = false;
+  Vector4<Scalar> tool_variance_ = Vector4<Scalar>::Zero();  // before the payload swung
   int size_ = kArmShared;  // entries of x that are not zero for certain; the others have zero slopes
   std::array<Joint, static_cast<std::size_t>(Dofs)> joints_;
 };

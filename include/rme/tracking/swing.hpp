@@ -98,11 +98,12 @@ class Swing {
     side_ = side;
     since_ = Scalar(0);
   }
-  /// Mean square of the force in each direction in the last second [N^2], world axes. 0 until it has gone to both sides: a
-  /// force that only grows may be a touch.
-  Vector3<Scalar> square() const noexcept { return half_ > 0 ? moves_ : Vector3<Scalar>(Vector3<Scalar>::Zero()); }
-  /// Frequency of the swing, from the times between its turns; 0 before there were two [Hz].
-  Scalar frequency() const noexcept { return half_ > 0 ? Scalar(0.5) / half_ : Scalar(0); }
+  /// Whether the force has gone to both sides. One that only grows may be a touch.
+  bool shown() const noexcept { return half_ > 0; }
+  /// Mean square of the force in each direction in the last second [N^2], world axes; 0 until it is shown().
+  Vector3<Scalar> square() const noexcept { return shown() ? moves_ : Vector3<Scalar>(Vector3<Scalar>::Zero()); }
+  /// Frequency of the swing, from the times between its turns; 0 until it is shown() [Hz].
+  Scalar frequency() const noexcept { return shown() ? Scalar(0.5) / half_ : Scalar(0); }
 
   /// Mean square of the relative error that a swing has caused in a payload before it was noticed. One that has been there
   /// for longer would have been noticed.

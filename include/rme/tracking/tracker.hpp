@@ -25,14 +25,14 @@ struct TrackerBelief {
   InertialGaussian<Scalar> payload;  ///< of phi, given that something is held
   /// Mean of what the robot's own model lacks at the last link: (m, m r) [kg, kg m], end-effector axes.
   Vector4<Scalar> tool = Vector4<Scalar>::Zero();
-  Scalar undecided =
-      Scalar(0);  ///< share of the payload that may be no weight (Undecided), given that something is held
+  Scalar undecided = Scalar(0);  ///< share of the payload that may be no weight (Undecided), if something is held
   std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing, sum 1
   /// Normalised innovation squared, averaged over a second (docs/theory.md (T30)): 1 if the torque is as the model
   /// predicts it, at most 100.
   Scalar health = Scalar(1);
   Scalar swinging = Scalar(0);         ///< probability that what is held swings
   Scalar swing_frequency = Scalar(0);  ///< of the likeliest story in which it does; 0 if unknown [Hz]
+  Scalar swing_begins = Scalar(0);     ///< probability of a swing that has not gone to both sides yet
   Vector3<Scalar> swing_square = Vector3<Scalar>::Zero();  ///< mean square of the swing's force [N^2], world axes
 };
 
@@ -244,6 +244,7 @@ class Tracker {
       held += w;
       if (story.star.swings()) {
         out.swinging += w;
+        if (!story.swing.shown()) out.swing_begins += w;
         detail::add_scaled(out.swing_square, w, story.swing.square());
         if (w > heaviest) out.swing_frequency = story.swing.frequency();
         heaviest = std::max(heaviest, w);
@@ -262,6 +263,7 @@ class Tracker {
     for (Scalar& p : out.probability.values) p /= all;
     out.tool /= all;
     out.swinging /= all;
+    out.swing_begins /= all;
     out.swing_square /= all;
     out.empty = std::max(Scalar(0), (all - held) / all);
     if (held > 0) {
