@@ -38,6 +38,7 @@ when the person lets go.
 
   --runs N  how many, each with another arm and another path (default 36)
   --seed N  of the first run (default 1)
+  --smooth  the person's hand does not tremble
   --help    this text
 
 Exit codes: 0 done; 1 the mass was off by more than 0.15 kg in a run with rme; 2 unusable arguments.
@@ -58,7 +59,7 @@ struct Result {
   double sinks = 0;  ///< how far the hand goes down by itself within a second [m]
 };
 
-Result run_arm(std::uint64_t seed, Carries carries) {
+Result run_arm(std::uint64_t seed, Carries carries, bool smooth) {
   SyntheticArmConfig<7> faults = with_typical_faults(panda(), seed);
   faults.friction = {};
   faults.noisy_observer = true;
@@ -98,7 +99,8 @@ Result run_arm(std::uint64_t seed, Carries carries) {
       const Vector3d tremor(0.4 * std::sin(56.5 * t), 0.3 * std::sin(50.3 * t + 1), 0.4 * std::sin(53.4 * t + 2));
       const rme::Vector6<double> twist = now.jacobian * arm.dq();
       const Eigen::AngleAxisd turn(home.rotation * now.rotation.transpose());
-      hand.force = kHand * (begins + grown * path - now.position) - kHandDamping * twist.head<3>() + tremor;
+      hand.force =
+          kHand * (begins + grown * path - now.position) - kHandDamping * twist.head<3>() + (smooth ? 0 : 1) * tremor;
       hand.moment = kWrist * turn.angle() * turn.axis() - kTwist * twist.tail<3>();
       result.off = std::max(result.off, std::abs(estimator->state().payload.mean[0] - kMass));
       let_go = now.position.z();
@@ -116,6 +118,7 @@ Result run_arm(std::uint64_t seed, Carries carries) {
 int run(Arguments& arguments) {
   const std::size_t runs = arguments.whole("--runs", 1, 1000).value_or(36);
   const std::uint64_t seed = arguments.whole("--seed", 0).value_or(1);
+  const bool smooth = arguments.flag("--smooth");
   arguments.finish();
 
   bool good = true;
@@ -125,7 +128,7 @@ int run(Arguments& arguments) {
   for (const Carries carries : {Carries::Nothing, Carries::Estimate, Carries::Truth}) {
     std::vector<double> off, sinks;
     for (std::size_t k = 0; k < runs; ++k) {
-      const Result result = run_arm(seed + k, carries);
+      const Result result = run_arm(seed + k, carries, smooth);
       off.push_back(result.off);
       sinks.push_back(1e3 * result.sinks);
       std::fprintf(stderr, "\r%zu of %zu ", k + 1, runs);
