@@ -182,7 +182,7 @@ class RuntimeEstimator {
     std::visit(
         [this](auto& e) {
           e.declare_empty();
-          copy(e.contact());
+          this->copy(e.contact());
         },
         any_);
   }
@@ -193,7 +193,7 @@ class RuntimeEstimator {
     return std::visit(
         [&](auto& e) {
           const Status status = e.set_payload(payload);
-          copy(e.contact());
+          this->copy(e.contact());
           return status;
         },
         any_);
@@ -203,7 +203,7 @@ class RuntimeEstimator {
     std::visit(
         [this](auto& e) {
           e.tare();
-          copy(e.contact());
+          this->copy(e.contact());
         },
         any_);
   }
@@ -220,7 +220,7 @@ class RuntimeEstimator {
     std::visit(
         [this](auto& e) {
           e.reset();
-          copy(e.contact());
+          this->copy(e.contact());
         },
         any_);
   }
