@@ -43,12 +43,6 @@ drop: without compensation, with the estimator's, and with that of somebody who 
 )";
 // The options of Setup follow. But here the default of --physics is MuJoCo, if it was found.
 
-#ifdef RME_HAS_MUJOCO
-constexpr bool kHasMujoco = true;
-#else
-constexpr bool kHasMujoco = false;
-#endif
-
 struct Options {
   Setup setup;
   std::size_t runs = 20;
@@ -59,12 +53,7 @@ struct Options {
 
 Options parse(Arguments& arguments) {
   Options options;
-  const bool mujoco =
-      arguments.choice<bool>("--physics", {{"synthetic", false}, {"mujoco", true}}).value_or(kHasMujoco);
-  options.setup = Setup::parse(arguments);
-  if (mujoco && !kHasMujoco)
-    throw ArgumentError("--physics: MuJoCo was not found when this was built (Debian: libmujoco-dev)");
-  options.setup.mujoco = mujoco;
+  options.setup = Setup::parse(arguments, independent_engine());
   options.runs = arguments.whole("--runs", 1, 1000).value_or(options.setup.quick ? 2 : 20);
   options.mass = arguments.number("--mass").value_or(1.2);
   options.dq_noise = arguments.number("--dq-noise").value_or(2e-3);

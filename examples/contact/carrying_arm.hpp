@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <mujoco_arm/physics_option.hpp>
 #include <synthetic_arm/panda.hpp>
 #include <synthetic_arm/pose_impedance.hpp>
 #include <synthetic_arm/synthetic_arm.hpp>
@@ -15,6 +16,7 @@ struct CarryingArm {
   bool friction = false;   ///< whether the torque contains joint friction
   double noise = 0;        ///< standard deviation of the noise of dq [rad/s]
   std::uint64_t seed = 1;  ///< of everything random
+  Engine engine = Engine::Synthetic;
 
   SyntheticArmConfig<7> faults() const {
     SyntheticArmConfig<7> config = with_typical_faults(panda(), seed);
@@ -23,6 +25,7 @@ struct CarryingArm {
     config.noisy_observer = true;
     config.mass_error = 0.01;
     config.com_error = 1e-3;
+    use_engine(engine, config);
     return config;
   }
   /// Stiff enough to follow a path at 0.5 Hz.

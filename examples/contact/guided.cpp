@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <mujoco_arm/physics_option.hpp>
 #include <rme/estimator.hpp>
 #include <stdexcept>
 #include <synthetic_arm/panda.hpp>
@@ -36,10 +37,11 @@ constexpr const char* kUsage = R"(usage: rme_guided [options]
 Prints what an arm without stiffness believes to hold while a person leads it by the hand, and how far it moves by itself
 when the person lets go.
 
-  --runs N  how many, each with another arm and another path (default 36)
-  --seed N  of the first run (default 1)
-  --smooth  the person's hand does not tremble
-  --help    this text
+  --runs N        how many, each with another arm and another path (default 36)
+  --seed N        of the first run (default 1)
+  --smooth        the person's hand does not tremble
+  --physics NAME  synthetic (default), or mujoco if this was built with it
+  --help          this text
 
 Exit codes: 0 done; 1 the mass was off by more than 0.15 kg in a run with rme; 2 unusable arguments.
 )";
@@ -59,11 +61,12 @@ struct Result {
   double sinks = 0;  ///< how far the hand goes down by itself within a second [m]
 };
 
-Result run_arm(std::uint64_t seed, Carries carries, bool smooth) {
+Result run_arm(std::uint64_t seed, Carries carries, bool smooth, Engine engine) {
   SyntheticArmConfig<7> faults = with_typical_faults(panda(), seed);
   faults.friction = {};
   faults.noisy_observer = true;
   faults.dq_noise.setConstant(0.002);
+  use_engine(engine, faults);
   SyntheticArm<7> arm(panda(), faults, panda().ready);
   const Kinematics<7> home = panda().kinematics(panda().ready);
   PoseImpedance<7> holds(panda(), panda().ready);
@@ -119,6 +122,7 @@ int run(Arguments& arguments) {
   const std::size_t runs = arguments.whole("--runs", 1, 1000).value_or(36);
   const std::uint64_t seed = arguments.whole("--seed", 0).value_or(1);
   const bool smooth = arguments.flag("--smooth");
+  const Engine engine = parse_engine(arguments);
   arguments.finish();
 
   bool good = true;
@@ -128,7 +132,7 @@ int run(Arguments& arguments) {
   for (const Carries carries : {Carries::Nothing, Carries::Estimate, Carries::Truth}) {
     std::vector<double> off, sinks;
     for (std::size_t k = 0; k < runs; ++k) {
-      const Result result = run_arm(seed + k, carries, smooth);
+      const Result result = run_arm(seed + k, carries, smooth, engine);
       off.push_back(result.off);
       sinks.push_back(1e3 * result.sinks);
       std::fprintf(stderr, "\r%zu of %zu ", k + 1, runs);

@@ -52,11 +52,12 @@ constexpr const char* kUsage = R"(usage: rme_touch [options]
 Prints how soon a touch of an arm that carries 2 kg is noticed: by thresholds of the external torque, by thresholds of
 what the estimated payload's gravity leaves of it, and by rme.
 
-  --touches N   how many, each in a random direction (default 36)
-  --force F     of a touch, after 0.1 s [N], above 0 (default 5)
-  --seed N      of everything random (default 1)
-  --output DIR  write touch.csv there: the seconds about the first touch; the folder is made if need be
-  --help        this text
+  --touches N     how many, each in a random direction (default 36)
+  --force F       of a touch, after 0.1 s [N], above 0 (default 5)
+  --seed N        of everything random (default 1)
+  --physics NAME  synthetic (default), or mujoco if this was built with it
+  --output DIR    write touch.csv there: the seconds about the first touch; the folder is made if need be
+  --help          this text
 
 Exit codes: 0 done; 1 rme has not noticed a touch; 2 unusable arguments.
 )";
@@ -280,6 +281,7 @@ int run(Arguments& arguments) {
   options.touches = arguments.whole("--touches", 1, 100000).value_or(36);
   options.force = arguments.number("--force").value_or(5);
   options.arm.seed = arguments.whole("--seed", 0).value_or(1);
+  options.arm.engine = parse_engine(arguments);
   options.output = arguments.text("--output");
   arguments.finish();
   if (!(options.force > 0)) throw ArgumentError("--force: must be above 0");

@@ -8,14 +8,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <mujoco_arm/physics_option.hpp>
 #include <stdexcept>
 
 #include "io/program.hpp"
 #include "make_logs/recording.hpp"
 #include "paper/experiment/report.hpp"
-#ifdef RME_HAS_MUJOCO
-#include <mujoco_arm/mujoco_physics.hpp>
-#endif
 
 namespace {
 
@@ -57,7 +55,8 @@ Exit codes: 0 done; 2 unusable arguments; 3 a file cannot be written.
 )";
 
 struct Options {
-  std::string output, kind, physics, scenarios;
+  std::string output, kind, scenarios;
+  Engine engine = Engine::Synthetic;
   std::size_t runs = 4;
   std::uint64_t seed = 1;
   bool plain = false;
@@ -100,11 +99,7 @@ Options parse(Arguments& arguments) {
   const auto named = [](const char* name) { return std::pair<std::string, std::string>(name, name); };
   const Names kinds = {named("link_side"), named("joint_friction"), named("model_error")};
   options.kind = arguments.choice("--kind", kinds).value_or("link_side");
-  options.physics = arguments.choice("--physics", Names{named("synthetic"), named("mujoco")}).value_or("synthetic");
-#ifndef RME_HAS_MUJOCO
-  if (options.physics == "mujoco")
-    throw ArgumentError("--physics: MuJoCo was not found when this was built (Debian: libmujoco-dev)");
-#endif
+  options.engine = parse_engine(arguments);
   options.scenarios = kScenarios;
   if (const auto list = arguments.text("--scenario")) options.scenarios = parse_scenarios(*list);
   options.runs = arguments.whole("--runs", 1, 1000).value_or(4);
@@ -126,12 +121,7 @@ SyntheticArmConfig<7> draw_arm(const Options& options, std::uint64_t seed) {
   config.torque_noise = drawn.torque_noise;
   config.torque_offset = drawn.torque_offset;
   if (options.kind == "joint_friction") config.friction = drawn.friction;
-#ifdef RME_HAS_MUJOCO
-  if (options.physics == "mujoco") {
-    config.physics = MujocoPhysics<7>::make;
-    config.substeps = 4;
-  }
-#endif
+  use_engine(options.engine, config);
   return config;
 }
 
@@ -168,7 +158,7 @@ int run(Arguments& arguments) {
   }
   const std::string path = (std::filesystem::path(options.output) / "manifest.json").string();
   std::ofstream file(path);
-  file << manifest(options.kind, options.physics, entries);
+  file << manifest(options.kind, options.engine == Engine::Mujoco ? "mujoco" : "synthetic", entries);
   if (!file.flush()) throw std::runtime_error("cannot write " + path);
   std::printf("%zu recordings in %s\n", entries.size(), options.output.c_str());
   return 0;

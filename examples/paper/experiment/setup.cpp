@@ -2,10 +2,6 @@
 
 #include <synthetic_arm/panda.hpp>
 
-#ifdef RME_HAS_MUJOCO
-#include <mujoco_arm/mujoco_physics.hpp>
-#endif
-
 namespace rme::examples {
 
 const std::array<PublishedTrial, 6>& published_trials() {
@@ -24,12 +20,9 @@ RigidBody experiment_payload(double mass, const Eigen::Vector3d& com) {
   return box(mass, com, {0.06, 0.06, 0.1});
 }
 
-Setup Setup::parse(Arguments& arguments) {
+Setup Setup::parse(Arguments& arguments, Engine usual) {
   Setup setup;
-  setup.mujoco = arguments.choice<bool>("--physics", {{"synthetic", false}, {"mujoco", true}}).value_or(false);
-#ifndef RME_HAS_MUJOCO
-  if (setup.mujoco) throw ArgumentError("--physics: MuJoCo was not found when this was built (Debian: libmujoco-dev)");
-#endif
+  setup.engine = parse_engine(arguments, usual);
   setup.friction = arguments.flag("--friction");
   setup.quick = arguments.flag("--quick");
   setup.seed = arguments.whole("--seed", 0).value_or(1);
@@ -43,17 +36,12 @@ SyntheticArmConfig<7> Setup::arm(std::uint64_t trial, bool faults) const {
   if (faults) config = with_typical_faults(panda(), seed * 1000003 + trial);
   if (!friction) config.friction = {};
   config.dt = kPeriod;
-#ifdef RME_HAS_MUJOCO
-  if (mujoco) {
-    config.physics = MujocoPhysics<7>::make;
-    config.substeps = 4;
-  }
-#endif
+  use_engine(engine, config);
   return config;
 }
 
 std::string Setup::name() const {
-  return std::string(mujoco ? "MuJoCo" : "synthetic arm") + (friction ? ", joint friction" : ", link-side sensing");
+  return std::string(engine == Engine::Mujoco ? "MuJoCo" : "synthetic arm") + (friction ? ", joint friction" : ", link-side sensing");
 }
 
 }  // namespace rme::examples

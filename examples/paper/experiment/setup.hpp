@@ -2,6 +2,7 @@
 /// What the experiments of the paper have in common: their payloads, the arm they run on, and its options.
 #include <array>
 #include <cstdint>
+#include <mujoco_arm/physics_option.hpp>
 #include <optional>
 #include <string>
 #include <synthetic_arm/synthetic_arm.hpp>
@@ -28,14 +29,15 @@ RigidBody experiment_payload(double mass, const Eigen::Vector3d& com);
 
 /// The arm on which an experiment runs, and the experiment's options.
 struct Setup {
-  bool mujoco = false;    // MuJoCo's physics instead of that of examples/synthetic_arm
+  Engine engine = Engine::Synthetic;
   bool friction = false;  // torque is sensed at the motors: tau_ext contains the joint friction that acts on the arm
   bool quick = false;     // fewer trials, to check that the program works
   std::uint64_t seed = 1;
   std::optional<std::string> output;  // folder of the CSV files
 
   /// Takes --physics, --friction, --quick, --seed and --output. @throws ArgumentError
-  static Setup parse(Arguments& arguments);
+  /// @param usual  without --physics
+  static Setup parse(Arguments& arguments, Engine usual = Engine::Synthetic);
   static constexpr const char* kUsage =
       R"(  --physics NAME    synthetic (default), or mujoco if this was built with it
   --friction        an arm with joint friction that senses torque at the motors, so that the torque contains the friction.

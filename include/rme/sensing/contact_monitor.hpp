@@ -68,12 +68,12 @@ class ContactMonitor {
       s.usual -= change;
     }
   }
-  /// How far a mean follows in a time.
+  /// How much of the residual the mean of each joint has taken in since the last call, 0 to 1.
   /// @param scale  0 or 1
-  /// @param dt     [s]
-  Scalar following(int scale, double dt) const noexcept {
-    if (state_.contact) return explained_ ? blend(dt, Scalar(kFollow)) : Scalar(0);
-    return blend(dt, settle_ > 0 ? Scalar(kQuick) : scales_[scale].slow);
+  Vector taken_in(int scale) noexcept {
+    const Vector share = scales_[scale].taken_in;
+    scales_[scale].taken_in.setZero();
+    return share;
   }
   /// The payload is another one: the residual changes. Without a contact, the mean becomes what the residual shows, as
   /// far as the payload's errors leave it open.
@@ -91,8 +91,15 @@ class ContactMonitor {
       for (int j = 0; j < Dofs; ++j)
         scales_[i].known[j] = variance[i][j] + noise[i][j] + 2 * std::sqrt(noise[i][j] * scales_[i].part[0][j]);
   }
-  /// Probability that the torque contains joint friction, as far as the estimator knows; 0 at first.
-  void expect_friction(Scalar probability) noexcept { friction_share_ = probability; }
+  /// What the estimator knows of the arm. Of motion that was not seen yet, nothing better is known.
+  /// @param friction  probability that the torque contains joint friction; 0 at first
+  /// @param motion    variance of its errors in motion, for a joint of scale 1 at 1 rad/s [(N m)^2]; 0 at first
+  /// @param turn      the same for a joint that turns over [(N m)^2]; 0 at first
+  void expect_arm(Scalar friction, Scalar motion, Scalar turn) noexcept {
+    friction_share_ = friction;
+    unseen_[1] = unseen_[2] = motion;
+    unseen_[3] = turn;
+  }
   /// The next sample has no predecessor; what was learned stays. Until it comes, the state is not ready.
   void interrupt() noexcept { started_ = state_.ready = false; }
   /// The torque changes at once for a reason that the host has given. A contact that goes on is over.
@@ -146,15 +153,18 @@ class ContactMonitor {
       const double first[kParts] = {kNoise, kMotion, kMotion, kFriction};
       for (int p = 0; p < kParts; ++p) {
         seen[p].setZero();
+        unseen[p].setZero();
         part[p] = detail::scaled(static_cast<Scalar>(first[p] * first[p]), Vector(scale.cwiseProduct(scale)));
       }
     }
     ExtremeThreshold<Scalar, Dofs> threshold;
     Scalar smooth, slow;                                     // time constants of y and m [s]
     Vector average = Vector::Zero(), mean = Vector::Zero();  // y, m
+    Vector taken_in = Vector::Zero();                        // taken_in()
     Vector usual = Vector::Zero(), spread = Vector::Zero();  // of y in the long run: mean and variance
     Vector part[kParts];                                     // parts of the variance per unit of what causes them
     Vector seen[kParts];                                     // samples that each was learned from
+    Vector unseen[kParts];                                   // added to each part, as long as little was seen of it
     Vector known = Vector::Zero();                           // errors of the payload [(N m)^2]
     Vector loose = Vector::Zero();                           // the part of v that is an error of the mean
     Vector variance = Vector::Ones();                        // v
@@ -169,8 +179,9 @@ class ContactMonitor {
   void take_over() noexcept {
     for (Scale& s : scales_) {
       for (int j = 0; j < Dofs; ++j) {
-        const Scalar loose = std::max(s.loose[j], s.known[j]);
-        s.mean[j] += loose / std::max(s.variance[j], loose) * (s.average[j] - s.mean[j]);
+        const Scalar loose = std::max(s.loose[j], s.known[j]), share = loose / std::max(s.variance[j], loose);
+        s.mean[j] += share * (s.average[j] - s.mean[j]);
+        s.taken_in[j] += share * (Scalar(1) - s.taken_in[j]);
       }
     }
   }
@@ -183,6 +194,7 @@ class ContactMonitor {
   Vector scale_;
   FrictionRegression<Scalar, Dofs> friction_;
   Scalar friction_share_ = Scalar(0);  // probability that there is any
+  Scalar unseen_[kParts] = {Scalar(0), Scalar(0), Scalar(0), Scalar(0)};  // expect_arm()
   ContactState<Scalar, Dofs> state_;
   bool started_ = false;
   Vector cause_[kParts];             // what the parts of the variance are multiplied by
@@ -241,16 +253,18 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
   const Vector stuck = friction_.variance(friction_share_);
   for (Scale& s : scales_) {
     detail::add_scaled(s.average, blend(dt, s.smooth), detail::difference(unexplained, s.average));
-    const Scalar follow = following(static_cast<int>(&s - scales_), dt);
+    Scalar follow = blend(dt, settle_ > 0 ? Scalar(kQuick) : s.slow);
+    if (contact) follow = explained_ ? blend(dt, Scalar(kFollow)) : Scalar(0);
     Scalar statistic = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
       Scalar v = s.part[0][j];
-      for (int p = 1; p < kParts; ++p) v += s.part[p][j] * cause_[p][j];
+      for (int p = 1; p < kParts; ++p) v += (s.part[p][j] + s.unseen[p][j]) * cause_[p][j];
       s.loose[j] = s.known[j] + grown * s.spread[j];
       s.variance[j] = doubt * v + stuck[j] + s.loose[j];
       const Scalar e = s.average[j] - s.mean[j];
       statistic += e * e / s.variance[j];
       s.mean[j] += follow * e;
+      s.taken_in[j] += follow * (Scalar(1) - s.taken_in[j]);
     }
     s.statistic = statistic;
     largest = std::max(largest, statistic / s.threshold.threshold());
@@ -346,11 +360,12 @@ void ContactMonitor<Scalar, Dofs>::learn(Scale& s) noexcept {
     const Scalar v = s.variance[j], e = s.average[j] - s.mean[j];
     const Scalar excess = std::min(e * e / v, Scalar(kLargest)) - Scalar(1);
     for (int p = 0; p < kParts; ++p) {
-      const Scalar share = s.part[p][j] * cause_[p][j] / v;
+      const Scalar share = (s.part[p][j] + s.unseen[p][j]) * cause_[p][j] / v;
       s.seen[p][j] = std::min(s.seen[p][j] + share, Scalar(kMemory));
       s.part[p][j] *= Scalar(1) + 2 * share * excess / (s.seen[p][j] + Scalar(kFirst));
       // The floor keeps a part alive that was not needed so far.
       s.part[p][j] = std::max(s.part[p][j], Scalar(1e-8) * scale_[j] * scale_[j]);
+      s.unseen[p][j] = unseen_[p] * scale_[j] * scale_[j] * Scalar(kFirst) / (s.seen[p][j] + Scalar(kFirst));
     }
     const Scalar away = s.average[j] - s.usual[j];
     s.usual[j] += long_run * away;

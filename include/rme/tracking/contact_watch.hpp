@@ -77,6 +77,7 @@ class ContactWatch {
     // Without a change, and unless something is poured, a payload that is estimated anew is the same one.
     const bool same = settled_ && settled && p[Mode::Pouring] < Scalar(0.5);
     settled_ = settled;
+    take_in();
     Vector change = Vector::Zero();
     InertialVector<Scalar> step = InertialVector<Scalar>::Zero();
     if (settled) {
@@ -88,7 +89,7 @@ class ContactWatch {
       moved_[j] = std::max(Scalar(kMoved) * moved_[j], std::abs(change[j]));
       changed_ = changed_ || std::abs(change[j]) > monitor_.state().threshold[j];
     }
-    monitor_.expect_friction(Scalar(1) - belief.sensing[static_cast<std::size_t>(Sensing::LinkSide)]);
+    expect_arm(belief);
     monitor_.judge(settled, block.end - static_cast<double>(block.duration));
     know(block, belief);
     if (settled && (!same || monitor_.state().contact))
@@ -156,9 +157,9 @@ class ContactWatch {
   /// same all the time: what counts is how the regressor differs from its own mean. What swings pulls at the hand.
   void expect(const Jacobian<Scalar, Dofs>& jacobian) noexcept {
     Vector known[Monitor::kScales];
+    take_in();
     for (int i = 0; i < Monitor::kScales; ++i) {
       const Regressor change = detail::difference(explained_.regressor(), usual_[i]);
-      detail::add_scaled(usual_[i], monitor_.following(i, since_expected_), change);
       for (int j = 0; j < Dofs; ++j) {
         const Scalar behind = Scalar(kBehind) * moved_[j];
         Scalar swings = Scalar(0);
@@ -170,6 +171,26 @@ class ContactWatch {
     }
     since_expected_ = 0;
     monitor_.expect(known, noise_);
+  }
+
+  /// What the kinds of sensing say of an arm of which nothing was seen yet.
+  void expect_arm(const TrackerBelief<Scalar>& belief) noexcept {
+    Scalar friction = Scalar(0), motion = Scalar(0), turn = Scalar(0);
+    for (std::size_t k = 0; k < kSensings; ++k) {
+      const SensingKind& kind = kSensingKinds[k];
+      const auto square = static_cast<Scalar>(kind.residual * kind.residual);
+      friction += belief.sensing[k] * static_cast<Scalar>(kind.friction);
+      motion += belief.sensing[k] * square;
+      turn += belief.sensing[k] * square * static_cast<Scalar>(kind.stiction);
+    }
+    monitor_.expect_arm(friction, motion, turn);
+  }
+  /// How the means depend on the payload's errors, now.
+  void take_in() noexcept {
+    for (int i = 0; i < Monitor::kScales; ++i) {
+      const Vector share = monitor_.taken_in(i);
+      for (int j = 0; j < Dofs; ++j) usual_[i].row(j) += share[j] * (explained_.regressor().row(j) - usual_[i].row(j));
+    }
   }
 
   /// Says what the last contact turned out to be, as soon as it is known.
