@@ -91,14 +91,13 @@ class ContactMonitor {
       for (int j = 0; j < Dofs; ++j)
         scales_[i].known[j] = variance[i][j] + noise[i][j] + 2 * std::sqrt(noise[i][j] * scales_[i].part[0][j]);
   }
-  /// What the estimator knows of the arm. Of motion that was not seen yet, nothing better is known.
+  /// What the estimator knows of the arm.
   /// @param friction  probability that the torque contains joint friction; 0 at first
-  /// @param motion    variance of its errors in motion, for a joint of scale 1 at 1 rad/s [(N m)^2]; 0 at first
-  /// @param turn      the same for a joint that turns over [(N m)^2]; 0 at first
-  void expect_arm(Scalar friction, Scalar motion, Scalar turn) noexcept {
+  /// @param turn      variance of the error of a joint of scale 1 that turns over, as long as none was seen [(N m)^2]; 0
+  ///                  at first
+  void expect_arm(Scalar friction, Scalar turn) noexcept {
     friction_share_ = friction;
-    unseen_[1] = unseen_[2] = motion;
-    unseen_[3] = turn;
+    turn_ = turn;
   }
   /// The next sample has no predecessor; what was learned stays. Until it comes, the state is not ready.
   void interrupt() noexcept { started_ = state_.ready = false; }
@@ -153,7 +152,6 @@ class ContactMonitor {
       const double first[kParts] = {kNoise, kMotion, kMotion, kFriction};
       for (int p = 0; p < kParts; ++p) {
         seen[p].setZero();
-        unseen[p].setZero();
         part[p] = detail::scaled(static_cast<Scalar>(first[p] * first[p]), Vector(scale.cwiseProduct(scale)));
       }
     }
@@ -164,7 +162,7 @@ class ContactMonitor {
     Vector usual = Vector::Zero(), spread = Vector::Zero();  // of y in the long run: mean and variance
     Vector part[kParts];                                     // parts of the variance per unit of what causes them
     Vector seen[kParts];                                     // samples that each was learned from
-    Vector unseen[kParts];                                   // added to each part, as long as little was seen of it
+    Vector unseen = Vector::Zero();                          // added to the last part, as long as little was seen of it
     Vector known = Vector::Zero();                           // errors of the payload [(N m)^2]
     Vector loose = Vector::Zero();                           // the part of v that is an error of the mean
     Vector variance = Vector::Ones();                        // v
@@ -194,7 +192,7 @@ class ContactMonitor {
   Vector scale_;
   FrictionRegression<Scalar, Dofs> friction_;
   Scalar friction_share_ = Scalar(0);  // probability that there is any
-  Scalar unseen_[kParts] = {Scalar(0), Scalar(0), Scalar(0), Scalar(0)};  // expect_arm()
+  Scalar turn_ = Scalar(0);            // expect_arm() [(N m)^2]
   ContactState<Scalar, Dofs> state_;
   bool started_ = false;
   Vector cause_[kParts];             // what the parts of the variance are multiplied by
@@ -257,8 +255,8 @@ void ContactMonitor<Scalar, Dofs>::update(const Vector& residual, const Jacobian
     if (contact) follow = explained_ ? blend(dt, Scalar(kFollow)) : Scalar(0);
     Scalar statistic = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
-      Scalar v = s.part[0][j];
-      for (int p = 1; p < kParts; ++p) v += (s.part[p][j] + s.unseen[p][j]) * cause_[p][j];
+      Scalar v = s.part[0][j] + s.unseen[j] * cause_[kParts - 1][j];
+      for (int p = 1; p < kParts; ++p) v += s.part[p][j] * cause_[p][j];
       s.loose[j] = s.known[j] + grown * s.spread[j];
       s.variance[j] = doubt * v + stuck[j] + s.loose[j];
       const Scalar e = s.average[j] - s.mean[j];
@@ -360,13 +358,13 @@ void ContactMonitor<Scalar, Dofs>::learn(Scale& s) noexcept {
     const Scalar v = s.variance[j], e = s.average[j] - s.mean[j];
     const Scalar excess = std::min(e * e / v, Scalar(kLargest)) - Scalar(1);
     for (int p = 0; p < kParts; ++p) {
-      const Scalar share = (s.part[p][j] + s.unseen[p][j]) * cause_[p][j] / v;
+      const Scalar part = s.part[p][j] + (p == kParts - 1 ? s.unseen[j] : Scalar(0)), share = part * cause_[p][j] / v;
       s.seen[p][j] = std::min(s.seen[p][j] + share, Scalar(kMemory));
       s.part[p][j] *= Scalar(1) + 2 * share * excess / (s.seen[p][j] + Scalar(kFirst));
       // The floor keeps a part alive that was not needed so far.
       s.part[p][j] = std::max(s.part[p][j], Scalar(1e-8) * scale_[j] * scale_[j]);
-      s.unseen[p][j] = unseen_[p] * scale_[j] * scale_[j] * Scalar(kFirst) / (s.seen[p][j] + Scalar(kFirst));
     }
+    s.unseen[j] = turn_ * scale_[j] * scale_[j] * Scalar(kFirst) / (s.seen[kParts - 1][j] + Scalar(kFirst));
     const Scalar away = s.average[j] - s.usual[j];
     s.usual[j] += long_run * away;
     s.spread[j] += long_run * (away * away - s.spread[j]);

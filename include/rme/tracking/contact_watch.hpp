@@ -175,15 +175,13 @@ class ContactWatch {
 
   /// What the kinds of sensing say of an arm of which nothing was seen yet.
   void expect_arm(const TrackerBelief<Scalar>& belief) noexcept {
-    Scalar friction = Scalar(0), motion = Scalar(0), turn = Scalar(0);
+    Scalar friction = Scalar(0), turn = Scalar(0);
     for (std::size_t k = 0; k < kSensings; ++k) {
       const SensingKind& kind = kSensingKinds[k];
-      const auto square = static_cast<Scalar>(kind.residual * kind.residual);
       friction += belief.sensing[k] * static_cast<Scalar>(kind.friction);
-      motion += belief.sensing[k] * square;
-      turn += belief.sensing[k] * square * static_cast<Scalar>(kind.stiction);
+      turn += belief.sensing[k] * static_cast<Scalar>(kind.residual * kind.residual * kind.stiction);
     }
-    monitor_.expect_arm(friction, motion, turn);
+    monitor_.expect_arm(friction, turn);
   }
   /// How the means depend on the payload's errors, now.
   void take_in() noexcept {
