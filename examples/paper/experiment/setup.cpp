@@ -41,7 +41,8 @@ SyntheticArmConfig<7> Setup::arm(std::uint64_t trial, bool faults) const {
 }
 
 std::string Setup::name() const {
-  return std::string(engine == Engine::Mujoco ? "MuJoCo" : "synthetic arm") + (friction ? ", joint friction" : ", link-side sensing");
+  return std::string(engine == Engine::Mujoco ? "MuJoCo" : "synthetic arm") +
+         (friction ? ", joint friction" : ", link-side sensing");
 }
 
 }  // namespace rme::examples
