@@ -46,7 +46,8 @@ class UrHandOver {
   /// Asks the robot to carry the payload, in addition to the payload that it has. It writes to a socket: not for a loop
   /// with a deadline. The loop goes on meanwhile.
   /// @param data  from RTDE, with what the robot carries now
-  /// @return whether it begins, or why not: not before mass and centre of mass are certain in all poses
+  /// @return whether mass and centre of mass are certain enough in all poses, or why not; running() says whether it begins,
+  ///         which it does not either if the robot cannot be told
   rme::HandOver<double> begin(const urcl::rtde_interface::DataPackage& data) {
     rme::HandOver<double> judged = payload_.hand_over();
     if (!judged.ready() || running_ || !UrLoad::read(data, before_)) return judged;
