@@ -202,7 +202,9 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   const Vector6<Scalar> weight =
       payload_wrench(Payload<Scalar>::from_vector(carried_), in.rotation, config_.gravity).vector();
   guard_.update(averager_.torque(), Torque(detail::transposed_product(in.jacobian, weight)), static_cast<Scalar>(dt));
+  const bool touched = contact().contact;
   watch_.update(sample, dt, state_.time);
+  if (contact().contact && !touched) averager_.restart();  // the block of a jolt is known one block after it
   if (contact_) watch_.hold();
   expected_ = std::max(0.0, expected_ - dt);
   // With a Jacobian of zeros, tau_ext does not depend on the payload.

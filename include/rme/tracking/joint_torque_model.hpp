@@ -154,7 +154,7 @@ class JointTorqueModel {
     Scalar along = Scalar(0);  // of the velocity, along gravity
     for (int j = 0; j < Dofs; ++j)
       for (int i = 0; i < 3; ++i) along += gravity_[i] * block_.jacobian(i, j) * block_.velocity[j];
-    return -along * block_.duration / std::sqrt(detail::dot(gravity_, gravity_));
+    return -along * block_.elapsed() / std::sqrt(detail::dot(gravity_, gravity_));
   }
   const Vector3<Scalar>& gravity() const noexcept { return gravity_; }  ///< g [m/s^2], world axes
   const SensingKind& kind() const noexcept { return kind_; }            ///< row of the kind of torque sensing
@@ -284,7 +284,7 @@ void JointTorqueModel<Scalar, Dofs>::follow_torque(const TorqueBlock<Scalar, Dof
   constexpr double kMemory = 0.08;  // time constant of the average [s]
   constexpr double kNoise = 3;      // standard deviations of a block's noise
   if (!started_) recent_torque_ = block.tau;
-  const Scalar keep = Scalar(kMemory) / (Scalar(kMemory) + block.duration);
+  const Scalar keep = Scalar(kMemory) / (Scalar(kMemory) + block.elapsed());
   for (int j = 0; j < Dofs; ++j) {
     recent_torque_[j] = keep * recent_torque_[j] + (Scalar(1) - keep) * block.tau[j];
     const Scalar ahead = abs(block.tau[j] - recent_torque_[j]) - Scalar(kNoise) * sqrt(noise_.variance(j));
@@ -301,7 +301,7 @@ void JointTorqueModel<Scalar, Dofs>::follow_compensation(const TorqueBlock<Scala
   using std::abs;
   using std::exp;
   constexpr double kDelay = 0.04;  // time constant until tau_ext shows a new compensation: drive, arm, observer [s]
-  const Scalar keep = exp(-block.duration / Scalar(kDelay));
+  const Scalar keep = exp(-block.elapsed() / Scalar(kDelay));
   for (int j = 0; j < Dofs; ++j) {
     pending_[j] += abs(context.compensation_change[j]);
     if (context.friction_shows) torque_change_[j] += (Scalar(1) - keep) * pending_[j];
@@ -318,7 +318,7 @@ void JointTorqueModel<Scalar, Dofs>::turn(const TorqueBlock<Scalar, Dofs>& block
   constexpr double kTurns = 0.05;    // [rad/s]
   constexpr double kTurnTime = 0.2;  // time constant with which friction settles again [s]
   if (!started_) return;
-  const Scalar keep = exp(-block.duration / Scalar(kTurnTime));
+  const Scalar keep = exp(-block.elapsed() / Scalar(kTurnTime));
   for (int j = 0; j < Dofs; ++j) {
     const auto direction = [](Scalar velocity) { return velocity / (abs(velocity) + Scalar(kTurns)); };
     turned_[j] = abs(direction(block.velocity[j]) - direction(block_.velocity[j]));
@@ -332,10 +332,10 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
   constexpr double kOffsetDrift = 2e-4;    // random walk of an offset per block, times the joint's scale [N m]
   constexpr double kFrictionDrift = 1e-4;  // random walk of friction per block, as a share of the prior's friction
   // The residual is a function of the pose: an Ornstein-Uhlenbeck process over the distance that the joints move (T27).
-  const Scalar way = block_.velocity.norm() * block_.duration;
+  const Scalar way = block_.velocity.norm() * block_.elapsed();
   const Scalar keep = exp(-way / static_cast<Scalar>(kind_.way));
   const Scalar hold =
-      exp(-block_.duration * static_cast<Scalar>(regime_.arm_moves() ? kind_.creep : kind_.creep_at_rest));
+      exp(-block_.elapsed() * static_cast<Scalar>(regime_.arm_moves() ? kind_.creep : kind_.creep_at_rest));
   for (int j = 0; j < Dofs; ++j) {
     auto& joint = star.joint(j);
     auto& V = joint.covariance;

@@ -55,7 +55,7 @@ class StoryFilter {
   template <typename Children>
   Scalar take_in(Tale& child, const Tale& parent, const Transition& transition, Children& children,
                  Innovation& out) noexcept {
-    const Scalar duration = model_.block().duration;
+    const Scalar duration = model_.block().elapsed();
     model_.predict(child.star);
     if (!transition.swings) child.star.end_swing();
     if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) {
@@ -155,7 +155,7 @@ class StoryFilter {
   /// Counts the block in what is undecided.
   /// @param star  has what is held
   void decide(Tale& story, const Star& star) noexcept {
-    story.undecided.update(star.mass(), star.poured_mass(), model_.block().duration, model_.risen(),
+    story.undecided.update(star.mass(), star.poured_mass(), model_.block().elapsed(), model_.risen(),
                            norm(model_.gravity()));
   }
   /// What is held swings from now on.
@@ -172,7 +172,7 @@ class StoryFilter {
     Tale& wrench = children.drawn();
     wrench.star = child.star;
     wrench.disturbance = parent.disturbance;
-    wrench.disturbance.predict(parent.how, model_.block().duration, rated_);
+    wrench.disturbance.predict(parent.how, model_.block().elapsed(), rated_);
     Scalar log_likelihood =
         wrench.disturbance.observe(model_, wrench.star, parent.how, log_jolt(), rated_, out.squared);
     log_likelihood += wrench.disturbance.weigh(model_, child.star, payload_, rated_);

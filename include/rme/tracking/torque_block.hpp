@@ -32,6 +32,8 @@ struct TorqueBlock {
   JointVector<Scalar, Dofs> torque_step;                ///< smallest change of tau_ext so far; 0 if none [N m]
   JointVector<Scalar, Dofs> velocity_noise;             ///< learned variance of the noise of dq [(rad/s)^2]
   int samples = 0;                                      ///< number of samples
+  /// Time between the last block and this one: that of the samples that restart() has left out [s].
+  Scalar skipped = Scalar(0);
   /// Posterior variance of the flange's linear acceleration in `regressor`, mean over the axes [(m/s^2)^2]. It is a
   /// noise of the torque, m^2 times as large per axis. 0 if the host gives the motion.
   Scalar acceleration_variance = Scalar(0);
@@ -43,6 +45,8 @@ struct TorqueBlock {
       Scalar(0.02);  ///< time constant of the stated observer [s]; that of 50 rad/s if none is stated
   /// The last sample's: the arm's own gravity torque per unit of gravity along each world axis [N m / (m/s^2)].
   std::optional<Eigen::Matrix<Scalar, Dofs, 3>> gravity_torque = std::nullopt;
+
+  Scalar elapsed() const noexcept { return skipped + duration; }  ///< time since the end of the last block [s]
 };
 
 /// What is known of a block in addition to its samples.
@@ -101,9 +105,18 @@ class BlockAverager {
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }
   /// External torque of the last sample, with the observer's lag removed [N m].
   const JointVector<Scalar, Dofs>& torque() const noexcept { return torque_; }
+  /// Something begins now: what came before it and what comes after does not belong into one mean. Leaves out the samples
+  /// of the current block, once until the next one is complete, so that there are blocks however often it is called.
+  void restart() noexcept {
+    if (skipped_ > Scalar(0)) return;
+    skipped_ = duration_ + part_duration_;
+    target_ = 0.5 * kDuration;
+    begin();
+  }
   /// Discards the current block and the last sample. The noise of dq and the resolution of tau_ext are kept.
   void clear() noexcept {
     started_ = false;
+    skipped_ = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
       acceleration_[j].interrupt();
       torque_rate_[j].interrupt();
@@ -150,6 +163,7 @@ class BlockAverager {
   Matrix3<Scalar> part_rotation_;
   // Of the current block.
   int parts_ = 0, differences_ = 0;
+  Scalar skipped_ = Scalar(0);  // time left out before it [s]
   Scalar duration_ = Scalar(0), weight_ = Scalar(0);
   JointVector<Scalar, Dofs> changes_;     // weighted sum of the changes of dq
   JointVector<Scalar, Dofs> unmeasured_;  // the same over the parts whose motion the host does not give
@@ -309,6 +323,8 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
 
   sums_.end = time;
   sums_.duration = duration_;
+  sums_.skipped = skipped_;
+  skipped_ = Scalar(0);
   sums_.tau /= weight_;
   sums_.torque_rate /= weight_;
   sums_.regressor /= weight_;
