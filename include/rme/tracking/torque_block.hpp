@@ -82,6 +82,7 @@ class BlockAverager {
  public:
   static constexpr double kDuration = 0.02;          ///< duration of a block if dq has little noise [s]
   static constexpr double kLongest = 3 * kDuration;  ///< longest duration, if dq is noisy [s]
+  static constexpr double kShort = 0.01;             ///< duration after restart(): a jolt is large against noise [s]
   /// Period p of the arm's own observer, which may run faster than the host's loop [s].
   static constexpr double kObserverPeriod = 0.001;
 
@@ -105,12 +106,13 @@ class BlockAverager {
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }
   /// External torque of the last sample, with the observer's lag removed [N m].
   const JointVector<Scalar, Dofs>& torque() const noexcept { return torque_; }
-  /// Something begins now: what came before it and what comes after does not belong into one mean. Leaves out the samples
-  /// of the current block, once until the next one is complete, so that there are blocks however often it is called.
+  /// Something begins now: what came before and what comes after does not belong into one mean. Leaves out the samples of
+  /// the current block, and makes a short one of those to come. Has no effect until that one is complete, so that there are
+  /// blocks however often something begins.
   void restart() noexcept {
     if (skipped_ > Scalar(0)) return;
     skipped_ = duration_ + part_duration_;
-    target_ = 0.5 * kDuration;
+    target_ = kShort;
     begin();
   }
   /// Discards the current block and the last sample. The noise of dq and the resolution of tau_ext are kept.
