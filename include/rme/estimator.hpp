@@ -33,7 +33,7 @@ namespace rme {
 ///     estimator.state().payload                                     // mass and centre of mass, with covariance
 ///
 /// Real time: no call but the constructor allocates or throws. The children of a block's stories are computed on the tick
-/// that ends it and on the ticks after it: at 1 kHz four on one tick, below 400 Hz all of them. Each costs at most two
+/// that ends it and on the ticks after it: at 1 kHz five on one tick, below 400 Hz all of them. Each costs at most two
 /// updates of a filter of 21 + 5 Dofs unknowns. On all other ticks update() is O(Dofs).
 template <typename Scalar, int Dofs>
 class Estimator {
@@ -114,7 +114,7 @@ class Estimator {
   // How often a payload is exchanged while nothing is measured [1/s]: as often as the tracker expects it on an arm
   // whose torque shows it at once, SensingKind::change = 1e-3 per block.
   static constexpr double kExchanges = 0.05;
-  static constexpr int kChildren = 16;        // children that a busy block has, over all kinds of sensing
+  static constexpr int kChildren = 20;        // children that a busy block has, over all kinds of sensing
   static constexpr int kManyChildren = 1000;  // more than a block can have
 
   /// phi of the payload, as state() has it; but the first moment, known together with the mass, is not bounded.

@@ -86,6 +86,45 @@ TEST_CASE("BlockAverager: a step of the torque is there in full from the first b
   CHECK((plain.block().tau - Joints::Constant(10.5)).norm() < 1e-12);  // of 1 to 20; the first one has no period
 }
 
+TEST_CASE("BlockAverager: after restart() comes a short block, and nothing is in it of what was before", "[block]") {
+  const Joints before(0.3, -0.2, 0.1), after(4, -7, 2);
+  Averager averager(50, kGravity);
+  Observer observer;
+  Sample s = at_rest();
+  std::vector<Block> blocks;
+  for (int k = 0; k <= 84; ++k) {
+    if (k > 0) s.tau_ext = observer(k <= 51 ? before : after);  // in the middle of the third block
+    if (averager.add(s, 1e-3, 1e-3 * k)) blocks.push_back(averager.block());
+    if (k == 54) averager.restart();
+  }
+  REQUIRE(blocks.size() == 4);
+  const double ends[] = {0.02, 0.04, 0.064, 0.084}, durations[] = {0.02, 0.02, Averager::kShort, 0.02};
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    CAPTURE(i);
+    CHECK((blocks[i].tau - (i < 2 ? before : after)).norm() < 1e-11);
+    CHECK(blocks[i].end == Approx(ends[i]).epsilon(1e-12));
+    CHECK(blocks[i].duration == Approx(durations[i]).epsilon(1e-12));
+    CHECK(blocks[i].skipped == Approx(i == 2 ? 0.014 : 0).margin(1e-12));
+    CHECK(blocks[i].elapsed() == Approx(ends[i] - (i > 0 ? ends[i - 1] : 0)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("BlockAverager: there are blocks however often it is told to begin anew, and their times add up", "[block]") {
+  Averager averager(50, kGravity);
+  const Sample s = at_rest();
+  int blocks = 0;
+  double elapsed = 0;
+  for (int k = 0; k <= 200; ++k) {
+    if (averager.add(s, 1e-3, 1e-3 * k)) {
+      ++blocks;
+      elapsed += averager.block().elapsed();
+      CHECK(elapsed == Approx(1e-3 * k).epsilon(1e-12));
+    }
+    averager.restart();
+  }
+  CHECK(blocks == 18);  // of 10 ms, after one that is left out
+}
+
 TEST_CASE("BlockAverager: what a slower host, or one that loses samples, sees makes the same blocks", "[block]") {
   // A torque that changes at the edges of blocks alone: within them any average of it is the same.
   const auto torque = [](int k) {
