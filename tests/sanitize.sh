@@ -4,7 +4,7 @@
 #  - the checks of headers, package, format and documentation;
 #  - the counting of allocations, and memcheck: a sanitizer brings a heap of its own;
 #  - tests that compare numbers alone (NUMBERS in the CMakeLists.txt): what they call runs in the tests of bad input, of
-#    the estimator, of the active-set solver, and in the soak;
+#    hosts, of the active-set solver, and in the soak;
 #  - the programs and their tests, but for those that read files: logs, URDFs, settings, weights;
 #  - other libraries' physics and dynamics, which are not instrumented;
 #  - most of the soak.
