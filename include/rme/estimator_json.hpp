@@ -13,8 +13,8 @@
 
 namespace rme {
 
-/// The settings that a JSON object describes. A missing field keeps its default; "arm" and "payload" need all of their
-/// fields.
+/// The settings that a JSON object describes. A missing field has its value in `defaults`; "arm" and "payload" need all of
+/// their fields.
 ///
 ///     {"rated_payload": 12.5, "observer_bandwidth": 0, "torque_sign": "reaction", "sensing": "joint_friction",
 ///      "contact_false_alarms": 0.1, "gravity": [0, 0, -9.81],
@@ -26,10 +26,13 @@ namespace rme {
 /// host has to compute tau_ext with this model.
 ///
 /// For a RuntimeEstimator, Dofs is Eigen::Dynamic, and the RuntimeEstimator checks the vectors' sizes.
+/// @param object    the JSON object
+/// @param defaults  of fields that are missing, such as franka_config()
 /// @throws std::invalid_argument naming a field that is unknown, missing or of the wrong type or size, with what was
 ///         expected and what was found. The Estimator's constructor checks ranges.
 template <typename Scalar, int Dofs>
-EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& object);
+EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& object,
+                                                         const EstimatorConfig<Scalar, Dofs>& defaults = {});
 
 /// The JSON object of the settings, with "arm" and "payload" only if they are set. estimator_config_from_json() gives
 /// the same settings back.
@@ -109,9 +112,10 @@ inline constexpr const char* kSensingNames[] = {"unknown", "link_side", "joint_f
 }  // namespace detail
 
 template <typename Scalar, int Dofs>
-EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& object) {
+EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& object,
+                                                         const EstimatorConfig<Scalar, Dofs>& defaults) {
   using Vector = JointVector<Scalar, Dofs>;
-  EstimatorConfig<Scalar, Dofs> config;
+  EstimatorConfig<Scalar, Dofs> config = defaults;
   const detail::SettingsReader reader(object, "",
                                       {"gravity", "torque_sign", "rated_payload", "observer_bandwidth",
                                        "contact_false_alarms", "sensing", "arm", "payload", "model"});

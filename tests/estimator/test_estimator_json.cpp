@@ -82,6 +82,25 @@ TEST_CASE("EstimatorConfig: a field that is not there keeps its default, and is 
   CHECK(rme::estimator_config_to_json(read("{}")) == written);
 }
 
+TEST_CASE(
+    "EstimatorConfig: a field that is not there is that of the settings which the host has, others take its place",
+    "[json]") {
+  Config host;
+  host.torque_sign = rme::TorqueSign::Reaction;
+  host.rated_payload = 7;
+  host.observer_bandwidth = 30;
+  host.sensing = rme::Sensing::LinkSide;
+  host.arm = rme::ArmPrior<double, 7>::of(2);
+  const Config config = rme::estimator_config_from_json<double, 7>(
+      json::parse(R"({"observer_bandwidth": 25, "sensing": "unknown"})"), host);
+  CHECK(config.torque_sign == rme::TorqueSign::Reaction);
+  CHECK(config.rated_payload == 7);
+  CHECK(config.observer_bandwidth == 25);
+  CHECK_FALSE(config.sensing);
+  REQUIRE(config.arm);
+  CHECK(config.arm->noise == host.arm->noise);
+}
+
 TEST_CASE("EstimatorConfig: enumerators are their names", "[json]") {
   CHECK(read(R"({"torque_sign": "external"})").torque_sign == rme::TorqueSign::External);
   CHECK(read(R"({"torque_sign": "reaction"})").torque_sign == rme::TorqueSign::Reaction);

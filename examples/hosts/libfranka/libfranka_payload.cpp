@@ -30,7 +30,7 @@ using rme::examples::Arguments;
 
 constexpr const char* kUsage =
     "ADDRESS [options]\n"
-    "  --settings FILE     the estimator's settings, as check_arm writes them\n"
+    "  --settings FILE     the estimator's settings; a missing one is that of rme::franka_config()\n"
     "  --realtime R        enforce (default): only on a real-time kernel; ignore: on any, for tests without a robot\n"
     "  --soft              springs of 150 N/m at the hand, instead of stiffer ones at the joints\n"
     "  --circle R          with --soft: the hand goes round a vertical circle of this radius [m], and tilts\n"
@@ -167,7 +167,8 @@ void talk(Shared& shared) {
 int run(Arguments& arguments) {
   rme::PayloadCompensationConfig<double, 7> config;
   config.estimator = rme::franka_config();
-  if (const auto file = arguments.text("--settings")) config.estimator = hosts::read_settings<7>(*file);
+  if (const auto file = arguments.text("--settings"))
+    config.estimator = hosts::read_settings<7>(*file, config.estimator);
   const franka::RealtimeConfig realtime =
       arguments
           .choice<franka::RealtimeConfig>("--realtime", {{"enforce", franka::RealtimeConfig::kEnforce},
