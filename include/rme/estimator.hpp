@@ -116,6 +116,7 @@ class Estimator {
   static constexpr double kExchanges = 0.05;
   static constexpr int kChildren = 20;        // children that a busy block has, over all kinds of sensing
   static constexpr int kManyChildren = 1000;  // more than a block can have
+  static constexpr double kJolt = 0.01;       // longest onset of what is sudden [s]
 
   /// phi of the payload, as state() has it; but the first moment, known together with the mass, is not bounded.
   InertialVector<Scalar> body() const noexcept {
@@ -133,6 +134,11 @@ class Estimator {
   Scalar doubt(Scalar mass) const noexcept { return Scalar(0.25) * state_.undecided * state_.undecided * mass * mass; }
   Scalar excess() const noexcept {
     return std::max(Scalar(1), state_.health / Scalar(EstimatorState<Scalar>::kHealthy));
+  }
+  /// Whether something has begun within milliseconds: what comes slowly, a short block would not tell.
+  bool jolted() const noexcept {
+    const ContactEvent<Scalar>& last = contact().last;
+    return contact().contact && last.noticed - last.onset <= kJolt;
   }
   void process() noexcept;
   void publish() noexcept;
@@ -204,7 +210,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   guard_.update(averager_.torque(), Torque(detail::transposed_product(in.jacobian, weight)), static_cast<Scalar>(dt));
   const bool touched = contact().contact;
   watch_.update(sample, dt, state_.time);
-  if (contact().contact && !touched) averager_.restart();  // the block of a jolt is known one block after it
+  if (!touched && jolted()) averager_.restart();
   if (contact_) watch_.hold();
   expected_ = std::max(0.0, expected_ - dt);
   // With a Jacobian of zeros, tau_ext does not depend on the payload.

@@ -253,7 +253,7 @@ struct Often {
 const std::vector<double> kSmallMasses = {0.3, 1, 2.5, 5}, kLargeMasses = {0.3, 1, 5, 10},
                           kHandMasses = {0.3, 1, 1.5, 3};
 constexpr Faults kNone = {}, kNoise = {0.08, 0.002, 0, 0}, kFriction = {0, 0, 0.5, 0.2},
-                 kBoth = {0.08, 0.002, 0.5, 0.2};
+                 kQuiet = {0.02, 0.0005, 0.5, 0.2}, kBoth = {0.08, 0.002, 0.5, 0.2};
 
 // Payloads from 0.3 kg to the rated load, in KDL's forward dynamics. A tag for each test of ctest, which runs them at
 // the same time.
@@ -312,21 +312,26 @@ TEST_CASE(
 // this for news of the payload would wander.
 TEST_CASE("KDL: at rest under friction that nobody told, an estimate does not follow its own compensation",
           "[kdl][rest]") {
-  judge<6>(kSmall, 5, kSmallMasses, false, kFriction, kRough);
-  judge<6>(kLarge, 10, {1, 5, 10}, false, kFriction, kRough);
-  // With noise, which joint sticks when is chance: a single life may be off by more.
+  // Which joint sticks when is chance: a single life may be off by more.
   double sum = 0;
-  int lives = 0, beyond = 0, ghosts = 0;
+  int lives = 0, beyond = 0, outside = 0, ghosts = 0;
   const auto live_often = [&](const Arm& arm, double rated, const std::vector<double>& masses) {
-    for (unsigned seed = 17; seed < 41; ++seed) {
+    for (unsigned seed = 17; seed < 29; ++seed) {
       for (const double mass : masses) {
-        const Found found = live<6>(arm, rated, mass, false, kBoth, seed);
-        CAPTURE(seed, mass);
-        CHECK(found.attached);
-        ghosts += found.empty_after <= 1 ? 0 : 1;
-        sum += found.mass_error;
-        beyond += found.mass_error > std::max(kRough.share * mass, kRough.least) ? 1 : 0;
-        ++lives;
+        for (const Faults& faults : {kQuiet, kBoth}) {
+          const Found found = live<6>(arm, rated, mass, false, faults, seed);
+          CAPTURE(seed, mass, faults.torque_noise);
+          CHECK(found.attached);
+          if (std::getenv("RME_PRINT") != nullptr)
+            std::printf("rated %.0f kg, %.1f kg at rest, noise %.2f N m, seed %u: mass %.1f g (+- %.1f), %s\n", rated,
+                        mass, faults.torque_noise, seed, 1e3 * found.mass_error, 1e3 * found.mass_deviation,
+                        found.empty_after <= 1 ? "empty in time" : "not empty in time");
+          ghosts += found.empty_after <= 1 ? 0 : 1;
+          sum += found.mass_error;
+          beyond += found.mass_error > std::max(kRough.share * mass, kRough.least) ? 1 : 0;
+          outside += found.mass_error > 3 * found.mass_deviation ? 1 : 0;
+          ++lives;
+        }
       }
     }
   };
@@ -335,7 +340,8 @@ TEST_CASE("KDL: at rest under friction that nobody told, an estimate does not fo
   CAPTURE(lives);
   CHECK(sum / lives < kRough.least);
   CHECK(beyond <= lives / 5);
-  CHECK(ghosts <= 4);  // of 168
+  CHECK(outside <= 2);  // of 168
+  CHECK(ghosts <= 4);
 }
 
 // Hidden: a target that is not reached at rest, nor always can be. There friction may hold any torque up to its size:
