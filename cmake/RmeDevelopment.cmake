@@ -9,7 +9,7 @@ add_library(rme_development INTERFACE)
 target_compile_features(rme_development INTERFACE cxx_std_17)
 target_compile_options(rme_development INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  add_compile_options(--param=ggc-min-heapsize=500000)  # [KiB], of which g++ need not look for garbage; saves a twentieth
+  add_compile_options(--param=ggc-min-heapsize=500000)  # [KiB]: g++ collects garbage later; saves a twentieth
 endif()
 
 # rme_hot(FILE...): where the time of programs is spent. An instrumented build, which compiles everything else without
@@ -42,7 +42,7 @@ function(rme_add_test file)
   add_executable(${target} ${file})
   target_link_libraries(${target} PRIVATE rme::rme rme_development rme_test_main ${ARGN})
   target_precompile_headers(${target} REUSE_FROM rme_test_main)
-  # A name that ctest takes apart, at a semicolon, names no case: that fails, as it does by default from Catch2 3 on.
+  # If ctest splits a name, at a semicolon, no case has that name: an error, as it is by default from Catch2 3 on.
   if(Catch2_VERSION VERSION_LESS 3)
     set(strict EXTRA_ARGS -w NoTests)
   endif()
@@ -53,8 +53,8 @@ function(rme_add_test file)
   add_dependencies(tests_${folder} ${target})
 endfunction()
 
-# rme_add_skipped_test(NAME PACKAGE...): stands for what cannot run here for want of packages (Debian's names), which
-# tests/run.sh reads out of its output.
+# rme_add_skipped_test(NAME PACKAGE...): a test in place of those that cannot run here, since packages (Debian's names) are
+# missing. tests/run.sh reads the packages from its output.
 function(rme_add_skipped_test name)
   list(JOIN ARGN " " packages)
   add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: needs ${packages}")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the tests with AddressSanitizer and UndefinedBehaviorSanitizer into build-asan-ubsan/ and runs them. Options are
-# passed on to ctest. Left out is what would say nothing that the rest does not:
+# passed on to ctest. Left out are tests that would find nothing more:
 #  - the checks of headers, package, format and documentation;
 #  - the counting of allocations, and memcheck: a sanitizer brings a heap of its own;
 #  - tests that compare numbers alone (NUMBERS in the CMakeLists.txt): what they call runs in the tests of bad input, of

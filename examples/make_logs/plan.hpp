@@ -49,7 +49,7 @@ struct Plan {
   std::vector<PayloadEvent> events;
   std::vector<PushEvent> pushes;
   std::optional<Motion> motion;
-  bool feed_forward = false;  // the controller compensates the true payload from soon after the attach on
+  bool feed_forward = false;  // the controller compensates the true payload from soon after the attachment on
   double singular = 0.1;      // least singular value of J that is allowed
 };
 

@@ -19,7 +19,7 @@ namespace {
 using Vector = JointVector<double, 7>;
 
 constexpr double kMargin = 0.05;          // least distance of a joint from its limits [rad]
-constexpr double kFeedForwardFrom = 0.5;  // when the compensation begins, after the attach [s]
+constexpr double kFeedForwardFrom = 0.5;  // when the compensation begins, after the attachment [s]
 constexpr double kFeedForwardRise = 1;    // until it is complete [s]
 
 // A payload on the flange.

@@ -249,7 +249,7 @@ void bind_estimator(py::module_& module) {
                 "the FlangeMotion that it commands. compensation() if that is zero.");
   estimator.def(
       "tare", [](PythonEstimator& self) { self.tell([](auto& e) { e.tare(); }); },
-      "Says that what the hand holds now is tool: from then on the payload is what comes in addition.");
+      "Says that what the hand holds now is part of the tool: from then on the payload is what comes in addition.");
   estimator.def(
       "declare_empty", [](PythonEstimator& self) { self.tell([](auto& e) { e.declare_empty(); }); },
       "Says that the hand is empty.");

@@ -26,8 +26,9 @@ void bind_enums(py::module_& module) {
       "What a call in the control loop reports.\n\n"
       "Ok: done. Any other value: the input was refused, and the object is as it was; its `refusal` says why.\n"
       "NonFiniteInput: a number is NaN, infinite, or larger than any arm reports (2^20). NotARotation: a rotation\n"
-      "matrix is not orthonormal with determinant +1. NotAMeasurement: tau_ext is frozen, or zero as no reading of it\n"
-      "can be; only the time counts. The others are reported by parts of rme that this module does not have.",
+      "matrix is not orthonormal with determinant +1. NotAMeasurement: tau_ext is frozen, or exactly zero though\n"
+      "its noise rules that out; only the time counts. The others are reported by parts of rme that this module does "
+      "not have.",
       {{"Ok", Status::Ok},
        {"NonFiniteInput", Status::NonFiniteInput},
        {"NotARotation", Status::NotARotation},
@@ -56,7 +57,7 @@ void bind_enums(py::module_& module) {
                            "What happens to the hand, and indices of EstimatorState.probability.\n\n"
                            "Empty: nothing is in the hand. Held: the payload is the same as before. Pouring: its mass\n"
                            "changes steadily. Disturbed: something else acts on the arm in addition, such as a push.\n"
-                           "Changing: the old payload is gone, and the next one is not there as a whole.",
+                           "Changing: the old payload is gone, and the next one is not all there yet.",
                            {{"Empty", Mode::Empty},
                             {"Held", Mode::Held},
                             {"Pouring", Mode::Pouring},

@@ -119,7 +119,7 @@ void bind_state(py::module_& module) {
       "time", [](const Values& s) { return s.time; }, "Time of the last sample [s].");
   number(
       "updated", [](const Values& s) { return s.updated; },
-      "The estimate includes samples up to this time, earlier by a block and its computation [s].");
+      "Time of the last sample in the estimate: behind time by a block and the time to compute it [s].");
   state.def_readonly(
       "payload", &State::payload,
       "PayloadGaussian of all that is in the hand. While empty() holds, the centre of mass is zero, with\n"
@@ -136,7 +136,7 @@ void bind_state(py::module_& module) {
       "held", [](const Values& s) { return s.held; }, "Probability that something is held, disturbed or not.");
   number(
       "swinging", [](const Values& s) { return s.swinging; },
-      "Probability that what is held swings: it hangs, or what holds it gives.");
+      "Probability that what is held swings: it hangs, or the grip is soft.");
   number(
       "swing_frequency", [](const Values& s) { return s.swing_frequency; },
       "Frequency of the swing [Hz]; 0 if it is not known.");

@@ -4,11 +4,11 @@
 // a row for each scenario and folder:
 //
 //   mass, centre of mass   mean absolute error over the scenario's window and all runs, and how often the 90 % interval
-//                          holds the truth. Windows: A, B at 0.5 s (--after) after the attach; D the whole run; E, H the last 4 s;
-//                          F the end; M 8 to 11.9 s
+//                          holds the truth. Windows: A, B at 0.5 s (--after) after the attachment; D the whole run;
+//                          E, H the last 4 s; F the end; M 8 to 11.9 s
 //   end                    mean absolute error of the mass at the end
 //   lag                    F: largest error of the mass from the beginning of the pour on, mean over the runs
-//   before                 largest mass that is estimated before the attach
+//   before                 largest mass that is estimated before the attachment
 //   attach                 median time after which the mass stays within 5 % of the truth for 0.3 s
 //   pushed                 D: runs in which the mass is off by more than 50 g for more than 0.2 s, the 0.3 s after each
 //                          change left out

@@ -2,7 +2,7 @@
 //
 // In each event, a simulated arm holds a random pose, and a random box is attached, at once or within 150 ms. The
 // sensors have noise and offsets, and most measure joint friction (examples/synthetic_arm). Several windows are taken
-// from each event; they start up to 0.6 s after the attach. Every event has its own seed, so that the file does not
+// from each event; they start up to 0.6 s after the attachment. Every event has its own seed, so that the file does not
 // depend on the number of threads.
 //
 // FILE: one line of JSON that names the columns, then 32-bit floats, row after row, little-endian; train.py reads it.
@@ -46,8 +46,8 @@ using Vector7 = rme::JointVector<double, 7>;
 using Vector6 = rme::Vector6<double>;
 
 constexpr int kSamples = 20, kStride = 10;    // the newest sample of each 10 ms
-constexpr int kQuiet = 500, kBaseline = 100;  // time before the attach; its last part is the baseline [ms]
-constexpr int kLatestStart = 600;             // latest start of a window after the attach [ms]
+constexpr int kQuiet = 500, kBaseline = 100;  // time before the attachment; its last part is the baseline [ms]
+constexpr int kLatestStart = 600;             // latest start of a window after the attachment [ms]
 constexpr int kAfter = kLatestStart + kSamples * kStride;
 
 constexpr const char* kColumns =

@@ -52,9 +52,10 @@ class Estimator {
   /// Advances by one sample.
   /// @param sample  tau_ext, J, R and dq of this tick
   /// @return Ok; NonFiniteInput (also for numbers beyond kLargestPlausible) or NotARotation: the estimator is then as
-  ///         it was, and the sample does not count; NotAMeasurement: tau_ext is frozen, or zero as no reading of it can
-  ///         be (stale_torque.hpp). Then only the time counts: the estimate stays, and its mass becomes less certain,
-  ///         since the payload may be exchanged or dropped meanwhile. The next measurement is used as usual
+  ///         it was, and the sample does not count; NotAMeasurement: tau_ext is frozen, or exactly zero though its
+  ///         noise rules that out (stale_torque.hpp). Then only the time counts: the estimate stays, and its mass
+  ///         becomes less certain, since the payload may be exchanged or dropped meanwhile. The next measurement is
+  ///         used as usual
   Status update(const Proprioception<Scalar, Dofs>& sample) noexcept;
   /// The current estimate, and what happens to the payload.
   const EstimatorState<Scalar>& state() const noexcept { return state_; }
@@ -90,9 +91,9 @@ class Estimator {
   /// @param payload  mass [kg], >= 0, and centre of mass [m], end-effector axes; covariance positive semidefinite
   /// @return Ok; NonFiniteInput, also for a mass or a variance below 0: nothing is changed then
   Status set_payload(const PayloadGaussian<Scalar>& payload) noexcept;
-  /// Says that what the hand holds now is tool: a gripper that the robot does not know, or a wrong entry of its mass.
-  /// From then on state().payload is what comes in addition. What was held is carried as before, and known better once
-  /// the arm has moved.
+  /// Says that what the hand holds now is part of the tool: a gripper that the robot does not know, or an error of its
+  /// mass. From then on state().payload is what comes in addition. What was held is carried as before, and known better
+  /// once the arm has moved.
   void tare() noexcept;
   /// Says that the payload is about to change, for example because the gripper closes or opens. For 0.3 s, a change then
   /// has as much prior probability as everything else together.
@@ -210,7 +211,11 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   guard_.update(averager_.torque(), Torque(detail::transposed_product(in.jacobian, weight)), static_cast<Scalar>(dt));
   const bool touched = contact().contact;
   watch_.update(sample, dt, state_.time);
+<<<<<<< HEAD
   if (!touched && jolted()) averager_.restart();
+=======
+  if (contact().contact && !touched) averager_.restart();  // no block is a mean of before and after
+>>>>>>> words
   if (contact_) watch_.hold();
   expected_ = std::max(0.0, expected_ - dt);
   // With a Jacobian of zeros, tau_ext does not depend on the payload.

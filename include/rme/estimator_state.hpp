@@ -17,7 +17,7 @@ namespace rme {
 template <typename Scalar>
 struct EstimatorState {
   double time = 0;     ///< of the last sample
-  double updated = 0;  ///< the estimate includes samples up to this time, earlier by a block and its computation
+  double updated = 0;  ///< of the last sample in the estimate: behind `time` by a block and the time to compute it
   /// Mass and centre of mass of all that is in the hand [kg, m, m, m], end-effector axes. While empty() holds, the
   /// centre of mass is zero, with the prior's standard deviations.
   PayloadGaussian<Scalar> payload;
@@ -26,10 +26,10 @@ struct EstimatorState {
   InertialGaussian<Scalar> inertial;
   PerMode<Scalar> probability = {{Scalar(1)}};  ///< of each mode, sum 1; at first an empty hand
   Scalar held = Scalar(0);                      ///< probability that something is held, disturbed or not
-  Scalar swinging = Scalar(0);                  ///< probability that what is held swings: it hangs, or its hold gives
+  Scalar swinging = Scalar(0);                  ///< probability that what is held swings: it hangs, or the grip is soft
   Scalar swing_frequency = Scalar(0);           ///< of the swing [Hz]; 0 if it is not known
-  /// Share of `payload` that may be no weight, but something rigid that holds the hand: what has been felt little by little
-  /// since the hand last moved up or down. A fifth of it is carried (docs/contact.md).
+  /// Share of `payload` that may be no weight, but something rigid that holds the hand: what has appeared little by
+  /// little since the hand last moved up or down. A fifth of it is carried (docs/contact.md).
   Scalar undecided = Scalar(0);
   /// How far to trust `payload`, 0 to 1: m^2 / (m^2 + std^2), divided by health / 3 while health is above 3.
   Scalar confidence = Scalar(0);

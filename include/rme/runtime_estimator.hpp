@@ -198,7 +198,7 @@ class RuntimeEstimator {
         },
         any_);
   }
-  /// The host says that what is held is tool: Estimator::tare().
+  /// The host says that what is held is part of the tool: Estimator::tare().
   void tare() noexcept {
     std::visit(
         [this](auto& e) {

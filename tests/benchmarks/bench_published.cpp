@@ -4,8 +4,9 @@
 // it the network is left out) and the stochastic VI with its early stop, each step over all residuals of 50 samples and
 // 7 joints: in C++, although it was published in Python. It is timed without the early stop as well.
 // PublishedPipeline does the same from sums, with rme's network; timed is its tick that estimates. The tracker's side
-// is all that it does in the 200 ms after the attach, which is as long as the pipeline collects before it computes; and
-// its slowest tick among these, of each event. Of the 200 ms before the attach, the ticks of both are timed as well.
+// is all that it does in the 200 ms after the attachment, which is as long as the pipeline collects before it computes;
+// and its slowest tick among these, of each event. Of the 200 ms before the attachment, the ticks of both are timed as
+// well.
 //
 // A network is asked once in each event, its weights long out of the fastest caches: both networks are timed so (the
 // first pass, which counts in the published estimate) and once more at once. TorchScript's first 200 calls, in which it

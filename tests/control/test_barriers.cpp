@@ -274,7 +274,8 @@ TEST_CASE("PredictionErrorWatch: bounds what it has seen, each sign for itself, 
   CHECK_THROWS_WITH((rme::PredictionErrorWatch<double, 2>(1e-3, config)), contains("PredictionErrorConfig::stated"));
 }
 
-TEST_CASE("Spheres: at the centre of one to be left there is no way out, and a status says so", "[barriers]") {
+TEST_CASE("Spheres: at the centre of a sphere to be left no acceleration keeps the barrier, and a status says so",
+          "[barriers]") {
   rme::PointMotion<double, 7> point = flange_motion(panda().ready, Vector7::Zero());
   const auto inside = rme::sphere_barrier<double, 7>(point, point.position, 0.3, rme::SphereSide::Outside);
   rme::ConstraintRows<double, 7, 4> rows;

@@ -80,7 +80,7 @@ TEST_CASE("PassivityMonitor: work and power may take turns", "[passivity]") {
   CHECK(monitor.supplied() == Approx(10));
 }
 
-TEST_CASE("PassivityMonitor: an active system shows", "[passivity]") {
+TEST_CASE("PassivityMonitor: the residual of an active system rises", "[passivity]") {
   rme::PassivityMonitor<double> monitor(1e-3);
   for (int k = 0; k <= 1000; ++k) REQUIRE(monitor.update(1 + 0.5e-3 * k, 0.2) == rme::Status::Ok);
   CHECK(monitor.residual() == Approx(0.3));  // half a watt stored, 0.2 W supplied, for a second

@@ -13,7 +13,7 @@ constexpr int kSize = 10;
 using Matrix10 = Eigen::Matrix<double, kSize, kSize>;
 using Factor = rme::SingularCholesky<double, kSize>;
 
-TEST_CASE("SingularCholesky: gives a factor of singular matrices too, none of rounding, and of NaN none",
+TEST_CASE("SingularCholesky: factorises singular matrices too, leaves out what is rounding, and refuses a NaN",
           "[cholesky]") {
   const unsigned seed = 516;
   CAPTURE(seed);

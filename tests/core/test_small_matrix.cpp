@@ -87,7 +87,7 @@ TEST_CASE("small_matrix: one entry that is not finite is found wherever it stand
   }
 }
 
-TEST_CASE("is_rotation: a rotation is one, to a thousandth, and its mirror, a stretched one and a NaN are none",
+TEST_CASE("is_rotation: accepts a rotation to a thousandth, and refuses a mirrored or stretched one and a NaN",
           "[small_matrix]") {
   constexpr unsigned kSeed = 84;
   CAPTURE(kSeed);

@@ -36,7 +36,7 @@ TEST_CASE("sum_of_logs: the sum of the logarithms, of every size and up to the s
   compare_with_logs_one_by_one<float, 7>(random, 12);
 }
 
-TEST_CASE("sum_of_logs: what is no positive number is not hidden", "[sum_of_logs]") {
+TEST_CASE("sum_of_logs: zero, infinity and NaN show in the sum", "[sum_of_logs]") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   CHECK(std::isnan(rme::sum_of_logs(Eigen::Vector4d(1, nan, 1, 1))));
   CHECK(rme::sum_of_logs(Eigen::Vector4d(1, 0, 1, 1)) == -infinity);

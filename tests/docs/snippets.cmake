@@ -38,7 +38,7 @@ file(GLOB_RECURSE documents ${ROOT}/README.md ${ROOT}/docs/*.md)
 set(copies 0)
 foreach(document IN LISTS documents)
   file(READ ${document} rest)
-  set(done "")  # what is behind us, as it should be
+  set(done "")  # the text so far, with the snippets as they should be
   while(TRUE)
     string(FIND "${rest}" "\n```cpp\n" at)
     if(at EQUAL -1)

@@ -117,7 +117,7 @@ TEST_CASE("hosts: lbr_fri_ros2's filter is the one that the settings say", "[doc
     }
 }
 
-TEST_CASE("hosts: lbr_fri_ros2's host says when an interface is missing, and does without none", "[docs]") {
+TEST_CASE("hosts: lbr_fri_ros2's host reports a missing interface, and does not run without it", "[docs]") {
   hosts::LbrPayload payload = lbr_payload(hosts::lbr_config());
   LbrArm lbr(10);
   std::vector<std::string> names = payload.state_interfaces();

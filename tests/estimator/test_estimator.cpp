@@ -1074,7 +1074,7 @@ TEST_CASE("Estimator: bad samples are named and leave it bit for bit as it was",
   }
 }
 
-TEST_CASE("Estimator: for a pose that is none the compensation is that of the last good one", "[estimator]") {
+TEST_CASE("Estimator: for an invalid pose the compensation is that of the last good one", "[estimator]") {
   Bench bench(33);
   bench.run(1);
   bench.arm.hold(kObject);

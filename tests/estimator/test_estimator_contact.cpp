@@ -138,7 +138,7 @@ TEST_CASE("Contact: an object that comes, and one that goes, is a contact at fir
   }
 }
 
-TEST_CASE("Contact: a move with a payload is none", "[contact]") {
+TEST_CASE("Contact: a move with a payload is no contact", "[contact]") {
   const unsigned seed = 420;
   CAPTURE(seed);
   Bench bench(seed);
@@ -153,7 +153,7 @@ TEST_CASE("Contact: a move with a payload is none", "[contact]") {
   CHECK(bench.contact().last.number == number);
 }
 
-TEST_CASE("Contact: a payload that swings is none, and what pushes it meanwhile is", "[contact]") {
+TEST_CASE("Contact: a payload that swings is no contact, and a push on it meanwhile is one", "[contact]") {
   const unsigned seed = 425;
   for (const double degrees : {5.0, 10.0, 20.0}) {
     CAPTURE(seed, degrees);
@@ -203,7 +203,7 @@ TEST_CASE("Contact: a refused sample leaves contact() bit for bit as it was", "[
     REQUIRE(finite(estimator.contact()));
   }
   CHECK(refused > 1000);
-  CHECK(estimator.contact().last.number >= 3);  // an attach, a push, a removal
+  CHECK(estimator.contact().last.number >= 3);  // an attachment, a push, a removal
 }
 
 TEST_CASE("Contact: while the torque is no measurement, contact() is not ready, and says nothing new", "[contact]") {

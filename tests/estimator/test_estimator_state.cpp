@@ -17,7 +17,7 @@ State weighing(double held, double mass, double deviation) {
   return state;
 }
 
-TEST_CASE("EstimatorState: heavier_than() is the share of drawn payloads that are heavier, an empty hand being none",
+TEST_CASE("EstimatorState: heavier_than() is the share of drawn payloads that are heavier, where an empty hand is not",
           "[estimator]") {
   const unsigned seed = 3643;
   CAPTURE(seed);

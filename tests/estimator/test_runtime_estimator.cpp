@@ -170,7 +170,8 @@ TEST_CASE("RuntimeEstimator: a vector or matrix of another size is refused, and 
   CHECK(longer == Eigen::VectorXd::Constant(7, 3));
 }
 
-TEST_CASE("RuntimeEstimator: what it cannot be is refused by name at construction", "[runtime_estimator]") {
+TEST_CASE("RuntimeEstimator: arguments and settings out of range are refused by name at construction",
+          "[runtime_estimator]") {
   CHECK_THROWS_WITH(Runtime(3, 0.001), contains("RuntimeEstimator::joints: expected 4 to 8, got 3"));
   CHECK_THROWS_WITH(Runtime(9, 0.001), contains("RuntimeEstimator::joints: expected 4 to 8, got 9"));
   CHECK_THROWS_WITH((RuntimeEstimator<double, 6, 7>(8, 0.001)), contains("expected 6 to 7, got 8"));

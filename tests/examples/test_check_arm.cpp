@@ -110,7 +110,7 @@ TEST_CASE("check_arm: noise, offset and friction of a moving arm are found and w
   }
 }
 
-/// The promise for a moving arm a second after the attach.
+/// The promise for a moving arm a second after the attachment.
 struct Said {
   double answers = 0, error = 0, worst = 0, coverage = 0;
   std::string text;

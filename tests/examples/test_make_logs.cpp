@@ -135,8 +135,7 @@ TEST_CASE("make_logs: joint friction and a wrong model show in tau_ext of the em
   CHECK(left_over("model_error") > 0.05);
 }
 
-TEST_CASE("make_logs: who is carried, or always moving, moves and turns, and keeps to where it should go",
-          "[make_logs]") {
+TEST_CASE("make_logs: in the scenarios with motion the arm moves and turns as far as it should", "[make_logs]") {
   const Recordings recordings("--scenario E,M --runs 2 --plain");
   for (const json& run : recordings.manifest()["runs"]) {
     CAPTURE(run["name"].get<std::string>());
@@ -184,9 +183,8 @@ TEST_CASE("make_logs: the same seed writes the same recordings, another seed oth
   CHECK(first.substr(0, 8) == "t,q1,q2,");
 }
 
-TEST_CASE(
-    "make_logs: late, stepped and lost torque are the recording without them, late, stepped and with rows missing",
-    "[make_logs]") {
+TEST_CASE("make_logs: the options for late, stepped and lost torque change a recording in that way only",
+          "[make_logs]") {
   const std::string same = "--scenario A --runs 1 --seed 3 --plain ";
   const Log<7> clean = Recordings(same).log();
   const Log<7> late = Recordings(same + "--late 5").log();

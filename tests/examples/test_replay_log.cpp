@@ -154,7 +154,7 @@ TEST_CASE("replay_log: with --at the change is announced, and the last word come
     // With the first block that ends at or after T + window.
     CHECK(lines[0]["t"].get<double>() > 1.0 + window - 1e-3);
     CHECK(lines[0]["t"].get<double>() < 1.0 + window + 0.03);
-    // The attach is in the middle of a block, so that for a tenth of a second the torque may also be late.
+    // The attachment is in the middle of a block, so that for a tenth of a second the torque may also be late.
     const double error = std::abs(lines[0]["mass"].get<double>() - 0.7), deviation = lines[0]["std"][0];
     CHECK(error < 2 * deviation);
     CHECK(deviation < (window > 0.15 ? 0.02 : 0.05));

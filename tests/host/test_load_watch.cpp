@@ -35,7 +35,7 @@ struct Robot {
   Watch watch;
 };
 
-TEST_CASE("LoadWatch: a load that is there is not missed, one that is dropped within 6 ms, at any bandwidth",
+TEST_CASE("LoadWatch: a load that is there is not reported missing, a dropped one is within 6 ms, at any bandwidth",
           "[host]") {
   for (const double bandwidth : {25.0, 50.0, 200.0}) {
     CAPTURE(bandwidth);

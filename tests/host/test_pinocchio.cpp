@@ -283,7 +283,7 @@ TEST_CASE("PinocchioSensing: refuses a model whose links have no inertia, and na
                         contains("panda_joint7; expected <inertial>"));
 }
 
-TEST_CASE("PinocchioSensing: refuses a period that is none", "[host]") {
+TEST_CASE("PinocchioSensing: refuses a period of zero", "[host]") {
   CHECK_THROWS_WITH(PinocchioSensing<7>(panda_arm(), "panda_link8", 0),
                     contains("PinocchioSensing::period: expected > 0 s, got 0"));
 }

@@ -358,7 +358,8 @@ TEST_CASE("PayloadEnclosure: errors of every kind at their bounds over several p
   }
 }
 
-TEST_CASE("PayloadEnclosure: what nothing shows is as wide as stated, or unbounded", "[enclosure]") {
+TEST_CASE("PayloadEnclosure: in a direction that no joint shows, the interval is the stated limit, or unbounded",
+          "[enclosure]") {
   // A singular pose, in which no joint feels any payload.
   const rme::PayloadRegressor<double, 7> blind;
   auto config = panda_bounds();

@@ -94,8 +94,7 @@ TEST_CASE("Estimator: a refused tick might as well not have been, whatever is go
   CHECK(estimator.state().event.number > 2);
 }
 
-TEST_CASE("Estimator: before the first sample, and for a pose that is none, the compensation is a number",
-          "[robustness]") {
+TEST_CASE("Estimator: before the first sample, and for an invalid pose, the compensation is finite", "[robustness]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   HeldArm arm(21);
   const Tick first = arm.tick();

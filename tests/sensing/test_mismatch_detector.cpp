@@ -78,7 +78,7 @@ TEST_CASE("MismatchDetector: equals a literal Algorithm 1 on a million random sa
   CHECK(detections < 900000);
 }
 
-TEST_CASE("MismatchDetector: equals a literal Algorithm 1 on a recorded attach", "[detector]") {
+TEST_CASE("MismatchDetector: equals a literal Algorithm 1 on a recorded attachment", "[detector]") {
   std::ifstream file(RME_TEST_DATA "/attach_norm.csv");
   std::string header;
   REQUIRE(std::getline(file, header));
@@ -185,7 +185,7 @@ MismatchDetector<1> after(double level, double last, const MismatchDetectorConfi
 }
 
 TEST_CASE(
-    "MismatchDetector: a change as large as the threshold is none yet, and means as far apart as theirs have settled",
+    "MismatchDetector: a change equal to its threshold is not rapid, and means that differ by theirs have settled",
     "[detector]") {
   // (T44): > and <=. Quarters of a newton metre are exact in the sums.
   MismatchDetectorConfig config = MismatchDetectorConfig::published();

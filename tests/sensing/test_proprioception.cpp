@@ -30,7 +30,7 @@ TEMPLATE_TEST_CASE("check: a rotation within rounding passes", "[proprioception]
   CHECK(rme::check_sample(sample) == Status::Ok);
 }
 
-TEMPLATE_TEST_CASE("check: what is no rotation is told from one", "[proprioception]", float, double) {
+TEMPLATE_TEST_CASE("check: a matrix that is no rotation is refused", "[proprioception]", float, double) {
   const auto with_rotation = [](const rme::Matrix3<TestType>& R) {
     Sample7<TestType> sample = good_sample<TestType>();
     sample.rotation = R;
@@ -76,7 +76,7 @@ TEST_CASE("check: a NaN or an infinity anywhere is named", "[proprioception]") {
   }
 }
 
-TEST_CASE("check: of what a host may add, a NaN or a number beyond all arms is named, and nothing has to be there",
+TEST_CASE("check: a NaN or an implausible number in an optional field is named, and no optional field is needed",
           "[proprioception]") {
   const double kTooLarge = 2 * rme::kLargestPlausible;
   for (const double bad :

@@ -4,8 +4,8 @@
 // out; hands push; the arm moves between poses while all this happens; samples are spoilt, lost, frozen and wild.
 // Nothing is asked while something changes and in the half second after that. Then what is believed to be in the hand
 // has to be what is there. Ends with 0 if
-//  - it never was further off than 0.1 kg and four of its own deviations for 0.2 s: not after an attach, a removal, a
-//    pour or a move; after pushes and faults hardly ever (kExcused, and two deviations of such a count). A payload in
+//  - it never was further off than 0.1 kg and four of its own deviations for 0.2 s: not after an attachment, a removal,
+//    a pour or a move; after pushes and faults hardly ever (kExcused, and two deviations of such a count). A payload in
 //    an empty hand, and one that was believed to be there when it had gone, are counted apart, and there may be none
 //    but for pushes and faults;
 //  - hardly any push was carried as payload for more than 0.2 s while it lasted (kTaken);

@@ -44,7 +44,7 @@ TEST_CASE("EventMonitor: an empty hand is no event, however long", "[event_monit
   CHECK_FALSE(story.monitor.changing());
 }
 
-TEST_CASE("EventMonitor: an attach begins with its block, is noticed after it, and over after a tenth of a second",
+TEST_CASE("EventMonitor: an attachment begins with its block, is noticed after it, and over after a tenth of a second",
           "[event_monitor]") {
   Story story;
   story.see(Mode::Empty, 50).see(Mode::Changing, 2, 1.0);
@@ -88,9 +88,8 @@ TEST_CASE("EventMonitor: an exchange that ends with the mass of before was a pus
   CHECK(story.kind() == EventKind::Pushed);
 }
 
-TEST_CASE(
-    "EventMonitor: a payload known for 0.4 s is an event, whatever still drifts, and a push that lasts is none yet",
-    "[event_monitor]") {
+TEST_CASE("EventMonitor: an event is over 0.4 s after its change, whatever still drifts, but not while a push lasts",
+          "[event_monitor]") {
   Story story;
   story.see(Mode::Empty, 50).see(Mode::Changing, 1, 1.0).see(Mode::Pouring, 19, 1.0);
   CHECK(story.monitor.changing());
@@ -102,7 +101,7 @@ TEST_CASE(
   CHECK(pushed.monitor.last().number == 0);
 }
 
-TEST_CASE("EventMonitor: a change that is only as likely as none is none", "[event_monitor]") {
+TEST_CASE("EventMonitor: a change that is only as likely as no change does not begin an event", "[event_monitor]") {
   rme::EventMonitor<double> monitor;
   monitor.update({{0.5, 0, 0, 0.5, 0}}, 0, kBlock, kBlock, weighing(0.5, 0.5));
   CHECK_FALSE(monitor.changing());
@@ -110,7 +109,8 @@ TEST_CASE("EventMonitor: a change that is only as likely as none is none", "[eve
   CHECK(monitor.changing());
 }
 
-TEST_CASE("EventMonitor: for 0.4 s sharp a payload has not been known for longer than that", "[event_monitor]") {
+TEST_CASE("EventMonitor: an event is not over when exactly 0.4 s have passed since its last change",
+          "[event_monitor]") {
   rme::EventMonitor<double> monitor;
   const auto see = [&](Mode likeliest, double begin, double end) {
     rme::PerMode<double> probability;
@@ -134,7 +134,7 @@ Story holding(double mass, double deviation) {
 }
 
 TEST_CASE(
-    "EventMonitor: another mass counts from a fiftieth of the mass on, and from three doubts about the difference",
+    "EventMonitor: a mass has changed if it differs by more than 2 % and three standard deviations of the difference",
     "[event_monitor]") {
   const auto kind = [](double before, double after, double doubt_before, double doubt_after) {
     Story story = holding(before, doubt_before);

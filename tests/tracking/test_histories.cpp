@@ -187,8 +187,8 @@ void vary(Sensing sensing, Happens happens, int runs, const Report& report) {
   report(largest, last);
 }
 
-TEST_CASE("Histories: what is given up or left out is hardly missed", "[histories]") {
-  // Seeds 1 to 40 of each. An attach is found one block later where the change would have to begin before it showed.
+TEST_CASE("Histories: stories that are given up or not computed hardly change the weights", "[histories]") {
+  // Seeds 1 to 40 of each. A payload is found one block later where the change would have to begin before it showed.
   for (const Sensing sensing : {Sensing::LinkSide, Sensing::JointFriction, Sensing::RoughModel})
     for (const Happens happens : {Happens::Nothing, Happens::Attach, Happens::Push, Happens::Removal})
       vary(sensing, happens, 40, [&](const auto& largest, const auto& last) {

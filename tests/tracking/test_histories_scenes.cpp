@@ -13,7 +13,7 @@ using Scene = rme::testing::SimulatedBlocks<double>;
 constexpr Sensing kFine[] = {Sensing::LinkSide, Sensing::JointFriction};
 constexpr Sensing kAll[] = {Sensing::LinkSide, Sensing::JointFriction, Sensing::RoughModel};
 
-TEST_CASE("Histories: an attach shows in its first block, and is known within two more", "[histories]") {
+TEST_CASE("Histories: an attached payload shows in its first block, and is known within two more", "[histories]") {
   for (const Sensing sensing : kFine)
     for (const double mass : {0.3, 1.0, 2.5})
       for (unsigned seed = 600; seed < 605; ++seed) {

@@ -63,7 +63,7 @@ struct Scene {
   rme::StarGaussian<double, kDofs> star;
 };
 
-TEST_CASE("JointTorqueModel: friction acts against the motion, and what a joint held when it stopped, it holds",
+TEST_CASE("JointTorqueModel: friction acts against the motion, and a joint that stops keeps its friction torque",
           "[joint_torque]") {
   Scene scene(Sensing::JointFriction);
   scene.block(Joints(0.3, -0.3));
@@ -325,8 +325,7 @@ TEST_CASE("JointTorqueModel: a rough arm's joint that turns forgets its residual
   }
 }
 
-TEST_CASE("JointTorqueModel: what 0.6 ms of the torque's change make, and what its steps hide, is noise",
-          "[joint_torque]") {
+TEST_CASE("JointTorqueModel: a timing error of 0.6 ms and the torque's resolution count as noise", "[joint_torque]") {
   Scene scene(Sensing::LinkSide);
   scene.block(Joints::Zero(), Joints(5, 5));  // the first block has no predecessor
   for (int j = 0; j < kDofs; ++j) {

@@ -147,7 +147,7 @@ TEST_CASE("SensorNoise: an hour of white noise, events, a hand and pours are not
   for (int j = 0; j < kDofs; ++j) CHECK(watched.deviation(j) == prior().noise[j]);
 }
 
-TEST_CASE("SensorNoise: what is known to be noise in each block is not found once more", "[noise]") {
+TEST_CASE("SensorNoise: noise that the caller knows of is not counted a second time", "[noise]") {
   const unsigned seed = 547;
   CAPTURE(seed);
   Watched watched(seed);
@@ -156,7 +156,7 @@ TEST_CASE("SensorNoise: what is known to be noise in each block is not found onc
   for (int j = 0; j < kDofs; ++j) CHECK(watched.deviation(j) == prior().noise[j]);
 }
 
-TEST_CASE("SensorNoise: an event is no noise, nor what lies between blocks that are no neighbours", "[noise]") {
+TEST_CASE("SensorNoise: neither an event nor a difference across a gap or an exchange counts as noise", "[noise]") {
   const unsigned seed = 541;
   CAPTURE(seed);
   White white(seed);

@@ -530,7 +530,7 @@ TEST_CASE("StarGaussian: an empty hand stays empty, and what it learns of the ar
   }
 }
 
-TEST_CASE("StarGaussian: finite looks at every part", "[star]") {
+TEST_CASE("StarGaussian: finite() checks every part", "[star]") {
   const unsigned seed = 521;
   CAPTURE(seed);
   std::mt19937 random(seed);

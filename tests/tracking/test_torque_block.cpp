@@ -125,7 +125,7 @@ TEST_CASE("BlockAverager: there are blocks however often it is told to begin ane
   CHECK(blocks == 18);  // of 10 ms, after one that is left out
 }
 
-TEST_CASE("BlockAverager: what a slower host, or one that loses samples, sees makes the same blocks", "[block]") {
+TEST_CASE("BlockAverager: a slower host, or one that loses samples, gets the same blocks", "[block]") {
   // A torque that changes at the edges of blocks alone: within them any average of it is the same.
   const auto torque = [](int k) {
     const double step = (k - 1) / 20;
@@ -506,7 +506,7 @@ TEST_CASE("BlockAverager: a host so slow that a block is one sample learns no no
   CHECK(noise == Approx(1e-8));
 }
 
-TEST_CASE("BlockAverager: noise of dq is learned after a long time without any, and one wild sample is none",
+TEST_CASE("BlockAverager: noise of dq is learned after a long time without any, and one outlier hardly counts",
           "[block]") {
   const unsigned seed = 529;
   CAPTURE(seed);

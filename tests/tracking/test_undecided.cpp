@@ -59,8 +59,8 @@ TEST_CASE("Undecided: pours add up, and what flows out was the undecided part", 
 }
 
 TEST_CASE(
-    "Undecided: a payload that is felt at once is one. Felt little by little, or after something undecided, or as a "
-    "wrench, it may be none",
+    "Undecided: a payload that appears at once is decided, one that appears slowly, after something undecided or as a "
+    "wrench is not",
     "[undecided]") {
   Undecided at_once;
   at_once.change(false);

@@ -4,8 +4,8 @@
 // Simulates a Panda that holds a random pose under an impedance law. Its torque sensors have noise and offsets, its
 // joints have friction, all drawn anew for each run. One second after the start an unknown payload is attached to the
 // flange, and two seconds after the start the arm begins to move. The tracker's estimates are compared with the truth
-// at rest, half a second after the attach, and after three seconds of motion. Prints for each parameter the errors, how
-// often the 50, 80, 90 and 95 % intervals hold the truth, and the rank histogram (simulation-based calibration: how
+// at rest, half a second after the attachment, and after three seconds of motion. Prints for each parameter the errors,
+// how often the 50, 80, 90 and 95 % intervals hold the truth, and the rank histogram (simulation-based calibration: how
 // often the truth lies in each tenth of the posterior; all counts are equal if the posteriors are honest). This is done
 // for arms with link-side sensing and for arms whose torque contains joint friction. The estimator is not told which it
 // is, unless --told is given.
@@ -38,7 +38,7 @@ namespace {
 using namespace rme::examples;
 
 constexpr double kAttach = 1;     // when the payload is attached or the push begins [s]
-constexpr double kRest = 0.5;     // the estimate at rest is read this long after the attach [s]
+constexpr double kRest = 0.5;     // the estimate at rest is read this long after the attachment [s]
 constexpr double kSetOff = 2;     // when the arm begins to move [s]
 constexpr double kEnd = 5;        // when the estimate after motion is read [s]
 constexpr double kWatched = 2;    // how long a push is watched after its end [s]
@@ -191,7 +191,7 @@ constexpr const char* kWhenNames[] = {"at rest", "after motion"};
 /// The estimates of one payload.
 struct Event {
   std::array<std::optional<Scored>, kWhens> scored;  // none if the hand is believed to be empty then
-  double noticed = -1;                               // after the attach [s]; -1 for never
+  double noticed = -1;                               // after the attachment [s]; -1 for never
   int skipped = 0;
 };
 

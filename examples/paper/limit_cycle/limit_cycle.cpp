@@ -55,10 +55,10 @@ struct Turn {
 };
 
 struct Outcome {
-  std::array<Turn, 3> turns;             // the turn before the attach, and the two turns after it
-  double outside = 0;                    // last time after the attach that the distance exceeded kTarget [s]
+  std::array<Turn, 3> turns;             // the turn before the attachment, and the two turns after it
+  double outside = 0;                    // last time after the attachment that the distance exceeded kTarget [s]
   double last_speed = 0;                 // mean over the last second [m/s]
-  std::optional<double> noticed, found;  // when a change was noticed and the payload found, after the attach [s]
+  std::optional<double> noticed, found;  // when a change was noticed and the payload found, after the attachment [s]
   Vector4d error = Vector4d::Zero();     // of the last estimate
 
   // A path that only crosses the cycle is not within kTarget for the whole of the last half turn.
@@ -80,7 +80,7 @@ Outcome run_trial(const Setup& setup, const PublishedTrial& payload, std::uint64
 
   Outcome outcome;
   bool attached = false;
-  std::uint64_t before = 0, detected = 0;  // answers and detections before the attach
+  std::uint64_t before = 0, detected = 0;  // answers and detections before the attachment
   double last_angle = 0;
   while (trial.arm.time() - attach < 2 * kTurn) {
     const double t = trial.arm.time() - attach;

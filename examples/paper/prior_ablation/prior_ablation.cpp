@@ -4,10 +4,10 @@
 // Simulates a Panda that holds a random pose under an impedance law, with the tracker's compensation. Its torque
 // sensors have noise and offsets, its joints have friction, and in one of two kinds of arm the sensed torque contains
 // the friction. After one second an unknown payload is attached to the flange. The same samples are then passed to
-//  - the network alone, half a second after the attach;
+//  - the network alone, half a second after the attachment;
 //  - the published pipeline with the network, and with a prior of the same widths around zero (Appendix D): with the
 //    published solver, and with each of the other three.
-// The tracker's estimate half a second after the attach is listed as well. It has no network.
+// The tracker's estimate half a second after the attachment is listed as well. It has no network.
 // Prints the mean square error of each parameter and how often its 90 % interval holds the truth.
 #include <array>
 #include <cmath>
@@ -33,9 +33,9 @@ namespace {
 using namespace rme::examples;
 using Eigen::Vector4d;
 
-constexpr double kAttach = 1;     // time of the attach [s]
-constexpr double kSettled = 0.5;  // time after the attach of the network's guess and the tracker's estimate [s]
-constexpr double kWatched = 2;    // time after the attach during which the published pipeline may estimate [s]
+constexpr double kAttach = 1;     // time of the attachment [s]
+constexpr double kSettled = 0.5;  // time after the attachment of the network's guess and the tracker's estimate [s]
+constexpr double kWatched = 2;    // time after the attachment during which the published pipeline may estimate [s]
 
 constexpr const char* kUsage =
     R"(usage: rme_prior_ablation --weights W.json [options]

@@ -5,8 +5,8 @@
 // Every trial draws its own pose (0.1 rad around the ready pose), sensor offsets, noise and, with --friction, friction.
 // It is run once for each method, with the compensation of that method. As long as an arm has not moved, the tracker
 // cannot know whether the torque contains friction, and allows for it unless it is told. Each method is judged by its
-// first estimate and by its estimate two seconds after the attach. The first estimate of the published pipeline often
-// comes as soon as something changes; that of the tracker is the one at the end of the event.
+// first estimate and by its estimate two seconds after the attachment. The first estimate of the published pipeline
+// often comes as soon as something changes; that of the tracker is the one at the end of the event.
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -36,7 +36,7 @@ of the tracker that is told of the sensing at most 8 g, 5 mm and 5 mm (mass, x, 
 /// A method's estimate at one instant.
 struct Reading {
   Vector4d error, deviation;  // estimate minus truth; the standard deviation that the method states
-  double after;               // time since the attach [s]
+  double after;               // time since the attachment [s]
 };
 
 struct Result {

@@ -4,8 +4,8 @@
 // compensated, since it was not when the published system made its first estimate. A collection interval begins with a
 // detection. A pipeline usually estimates twice. The first estimate comes as soon as something changes, and so contains
 // transients; a second table has the last estimate. The tracker has no interval: its estimate is read the same time
-// after the attach. As long as an arm has not moved, the tracker cannot know whether the torque contains friction, and
-// allows for it unless it is told.
+// after the attachment. As long as an arm has not moved, the tracker cannot know whether the torque contains friction,
+// and allows for it unless it is told.
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -19,7 +19,7 @@ using namespace rme::examples;
 using Eigen::Vector4d;
 
 constexpr double kAttach = 1;                                        // [s]
-constexpr double kPatience = 2;                                      // time after the attach for estimates [s]
+constexpr double kPatience = 2;                                      // time after the attachment for estimates [s]
 constexpr std::array<double, 4> kIntervals = {0.05, 0.1, 0.2, 0.3};  // [s]
 
 // Mean squared errors as published [kg^2], [m^2].

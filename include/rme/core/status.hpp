@@ -16,7 +16,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
     Infeasible,           ///< hard constraints contradict each other; the answer with the least violation is returned
     CapacityExceeded,     ///< no room for more in storage fixed at compile time
     WrongSize,            ///< a vector or a matrix does not have the size given at construction
-    NotAMeasurement,      ///< a sensor's reading is frozen, or zero as no reading of it can be (stale_torque.hpp)
+    NotAMeasurement,      ///< a reading is frozen, or exactly zero though its noise rules that out (stale_torque.hpp)
     Unbounded,            ///< nothing bounds the answer, or a part of it; the other parts are returned
 };
 

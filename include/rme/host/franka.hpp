@@ -106,7 +106,7 @@ struct FrankaLoad {
   }
 };
 
-/// What came of a hand-over.
+/// Result of a hand-over.
 struct FrankaHandOver {
   HandOver<double> judged;  ///< why nothing was handed over, unless it is ready
   FrankaLoad asked;         ///< the load that the robot was asked to take
@@ -125,8 +125,8 @@ inline InertialParameters<double> moved(const InertialParameters<double>& body, 
 }
 
 // <snippet franka_hand_over>
-/// Asks the robot to carry the payload, in addition to the load that it has, and reads back what it took: for rme,
-/// that much is gone from the hand. Only between two control loops: within one, setLoad is refused.
+/// Asks the robot to carry the payload, in addition to the load that it has, and reads back what it took: rme no longer
+/// counts that as held. Only between two control loops: within one, setLoad is refused.
 /// @return whether it was handed over, or why not: not before mass and centre of mass are certain in all poses
 inline FrankaHandOver franka_hand_over(franka::Robot& robot, PayloadCompensation<double, 7>& payload) {
   FrankaHandOver result;

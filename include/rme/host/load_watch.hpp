@@ -12,9 +12,10 @@ namespace rme {
 ///
 ///     missing = clamp(4 (tau . t / t . t) - 2, 0, 1)
 ///
-/// with tau_ext's observer inverted and averaged over 4 ms (docs/theory_control.md (C28)): an object is there or not, and
-/// the friction of joints that start to move hides a part of t. A torque that is not along t counts for nothing. Somebody who lifts the object has the same effect as a loss until the hand is let go. Real time:
-/// O(Dofs); no call allocates.
+/// where tau is tau_ext with the observer's filter inverted, averaged over 4 ms (docs/theory_control.md (C28)). All of
+/// the load counts as missing as soon as three quarters of t are seen: an object is there or not, and the friction of
+/// joints that start to move hides a part of t. A torque that is not along t is ignored. Somebody who lifts the object
+/// has the same effect as a loss, until the hand is let go. Real time: O(Dofs); no call allocates.
 template <typename Scalar, int Dofs>
 class LoadWatch {
  public:

@@ -21,9 +21,9 @@
 
 namespace rme {
 
-/// What can be said of a hand.
+/// What the hand holds.
 enum class Holding : std::uint8_t {
-  CannotTell,  ///< no answer is probable enough, or the payload changes just now
+  CannotTell,  ///< no answer is probable enough, or the payload is changing
   Nothing,     ///< the hand is empty
   Known,       ///< one object of the catalogue
   Unknown,     ///< something that is none of the catalogue's objects
@@ -50,7 +50,7 @@ struct HeldObject {
   std::array<Scalar, static_cast<std::size_t>(Capacity)> object{};  ///< of each object, in the order of add()
   Scalar unknown = Scalar(0);             ///< of something that is none of the catalogue's objects
   Scalar nothing = Scalar(0);             ///< of an empty hand
-  Scalar changing = Scalar(1);            ///< of a payload that changes just now, so that nothing identifies it
+  Scalar changing = Scalar(1);            ///< of a payload that is changing, so that nothing identifies it
   Holding holding = Holding::CannotTell;  ///< the answer whose probability is at least ObjectCatalogueConfig::certain
   int index = -1;                         ///< of the object, if `holding` is Known; otherwise -1
   int likeliest = -1;                     ///< object with the largest probability, decided or not; -1 without any
@@ -59,7 +59,7 @@ struct HeldObject {
 /// Settings of ObjectCatalogue.
 template <typename Scalar>
 struct ObjectCatalogueConfig {
-  /// What is held and none of the objects is drawn from this prior. Use the estimator's: EstimatorConfig::payload, or
+  /// Prior of something that is held and is none of the objects. Use the estimator's: EstimatorConfig::payload, or
   /// PayloadPrior::of(EstimatorConfig::rated_payload).
   PayloadPrior<Scalar> unknown = PayloadPrior<Scalar>::of(Scalar(3));
   Scalar unknown_share = Scalar(0.05);  ///< probability that what is held is none of the objects, above 0 and below 1
@@ -93,7 +93,7 @@ class ObjectCatalogue {
   /// @throws std::invalid_argument naming the setting out of range
   explicit ObjectCatalogue(const Config& config = Config());
 
-  /// Adds an object. An object that is gripped in one of two ways is two objects.
+  /// Adds an object. Add an object that may be gripped in two ways as two objects.
   /// @param name     1 to 31 bytes, not that of an object already there
   /// @param payload  mass [kg], > 0, and centre of mass [m] when held, end-effector axes. Its covariance, positive
   ///                 semidefinite, says how well both are known, the place of the grip included
@@ -111,7 +111,7 @@ class ObjectCatalogue {
   int add(std::string_view name, Scalar mass, Scalar deviation, Scalar weight = Scalar(1));
 
   int size() const noexcept { return size_; }  ///< number of objects
-  /// The name of an object; an empty one for an index that is none.
+  /// The name of an object; empty for an index out of range.
   const char* name(int index) const noexcept { return index >= 0 && index < size_ ? at(index).name.data() : ""; }
   /// Which object is in the hand.
   /// @param state  of the estimator

@@ -159,7 +159,7 @@ class PinocchioSensing {
   }
 
  private:
-  /// What of a sample does not depend on the torque; after computeAllTerms().
+  /// The part of a sample that does not depend on the torque; after computeAllTerms().
   void describe(const Vector& dq, double period, Proprioception<double, Dofs>& sample) {
     sample.jacobian.setZero();
     pinocchio::getFrameJacobian(model_, data_, end_effector_, pinocchio::LOCAL_WORLD_ALIGNED, sample.jacobian);

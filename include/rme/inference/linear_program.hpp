@@ -24,12 +24,12 @@ struct LinearProgramResult {
 /// vertex, started from a point that keeps all rows (docs/theory.md, "A bound instead of a probability").
 ///
 /// At each vertex, Size rows are active. One of them is left along the edge on which c.x grows fastest, up to the first
-/// row in the way. An unknown that no row holds yet is held where it was at the start, and is let go first; so neither
-/// rank nor vertices are asked for, and a set without a vertex (a strip, a half space) is no special case. The inverse
-/// of the active rows is refined at each step, so that errors do not add up. No rule keeps a degenerate vertex from
-/// coming back; with the steepest edge none has been seen to, and the number of steps is bounded.
+/// row that blocks the step. An unknown that no row fixes yet is held at its starting value, and is released first. So
+/// the rows may have any rank, and a set without a vertex (a strip, a half space) is no special case. The inverse of
+/// the active rows is refined at each step, so that errors do not add up. No rule prevents cycling at a degenerate
+/// vertex; with the steepest edge, none has been seen, and the number of steps is bounded.
 ///
-/// A point to start from is the caller's affair. With an unknown more that loosens all rows any point will do, and the
+/// The caller provides the starting point. With one more unknown that loosens all rows, any point will do, and the
 /// least value of that unknown says whether the rows can be kept, as in PayloadEnclosure.
 ///
 /// Real time: no allocation; at most kMaxPivots steps of O(Size (MaxRows + Size^2)).
@@ -71,13 +71,13 @@ class LinearProgram {
   static constexpr Scalar kEpsilon = std::numeric_limits<Scalar>::epsilon();
   /// An edge along which c.x grows by less, per unit of way and of |c|, is level.
   static constexpr Scalar kLevel = 128 * kEpsilon;
-  /// A row whose normal is so nearly perpendicular to the way is not in the way: as an active row it would be one in
-  /// name only, as dependent on the others as rounding lets it. epsilon^(2/3); what is found may be missed by a row by
-  /// so much of the way, outwards.
+  /// A row whose normal is this nearly perpendicular to the step does not block it: as an active row it would be
+  /// linearly dependent on the others, but for rounding. About epsilon^(2/3); the result may violate a row by this
+  /// share of the step, outwards.
   static constexpr Scalar kParallel = Scalar(kEpsilon < Scalar(1e-10) ? 4e-11 : 2.5e-5);
 
   struct Step {
-    int row = kHeld;  // that is in the way; kHeld if none is
+    int row = kHeld;  // that blocks the step; kHeld if none does
     Scalar length = Scalar(0);
   };
 
@@ -189,7 +189,7 @@ void LinearProgram<Scalar, Size, MaxRows>::exchange(int slot, int row) noexcept 
     if (k == slot) continue;
     for (int i = 0; i < Size; ++i) D_(i, k) -= product[k] * D_(i, slot);
   }
-  // One step of Newton's for the inverse, and one for the vertex: D += D (1 - A D), x += D (b - A x).
+  // One Newton step for the inverse, and one for the vertex: D += D (1 - A D), x += D (b - A x).
   Eigen::Matrix<Scalar, Size, Size> off;
   Vector missed;
   for (int r = 0; r < Size; ++r) {

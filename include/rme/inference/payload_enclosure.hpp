@@ -20,7 +20,7 @@ namespace rme {
 ///
 ///     tau = (1 + gain error) A phi + offset + friction + link error      (docs/theory.md (T46))
 ///
-/// These are bounds, not standard deviations: whatever exceeds one of them, once, can put the truth outside.
+/// These are bounds, not standard deviations: a single error beyond its bound can put the true payload outside the set.
 /// Infinite means that nothing is stated. drift has to be set.
 template <typename Scalar, int Dofs>
 struct PayloadEnclosureConfig {
@@ -108,7 +108,7 @@ class PayloadEnclosure {
   ///                  `scale` is by how much the bounds are too small at least
   /// @return Ok; Unbounded: some end is infinite, the others are right; Infeasible: no payload agrees with the readings,
   ///         so some stated bound was violated; NotReady: no loaded reading that a bound applies to; NotConverged: as
-  ///         Unbounded, but an end is infinite for want of steps
+  ///         Unbounded, but an end is infinite because there were too few steps
   Status solve(PayloadBox<Scalar>& box) noexcept;
 
   /// The worst cases of quantities that are linear in phi: least and largest map phi over the set, each row by itself. To
@@ -261,7 +261,7 @@ void PayloadEnclosure<Scalar, Dofs, MaxPoses>::limit() noexcept {
 template <typename Scalar, int Dofs, int MaxPoses>
 void PayloadEnclosure<Scalar, Dofs, MaxPoses>::constrain(const Unknowns& row, Scalar b) noexcept {
   const Status status = program_.add(row, b);  // there is room for all, and the numbers are finite
-  (void)status;                                // without a row the set would be larger, which is no wrong bound
+  (void)status;                                // without a row the set would only be larger: its bounds stay valid
 }
 
 /// What the difference of two readings says, or, without b, a reading by itself (T47).
@@ -292,7 +292,7 @@ void PayloadEnclosure<Scalar, Dofs, MaxPoses>::constrain(const Reading& a, const
       continue;
     }
     const Scalar gain = config_.gain[j];
-    if (a_loaded && b_loaded && gain > 0) continue;  // two gain errors: no linear row says it
+    if (a_loaded && b_loaded && gain > 0) continue;  // two gain errors: no linear row describes this
     // (1 + g) row.phi is within error of the difference for some |g| <= gain: an interval as well.
     Scalar lower = difference - error, upper = difference + error;
     // With b loaded and a empty, the row is minus that of the payload, and so are both ends: the same division.
@@ -343,9 +343,9 @@ Status PayloadEnclosure<Scalar, Dofs, MaxPoses>::end(const Unknowns& c, Scalar& 
   return status;
 }
 
-/// The largest sign * r_i = (m r)_i / m over the set (T48), if its lightest payload is heavier than nothing. For every
+/// The largest sign * r_i = (m r)_i / m over the set (T48), if its lightest payload has a mass above zero. For every
 /// rho, sign * r_i <= rho + max(sign (m r)_i - rho m) / m; with rho of the maximiser the next bound is lower (Dinkelbach,
-/// Management Science 1967). It is one at every step, so that the number of steps decides only how close it is.
+/// Management Science 1967). Every step gives a valid bound; the number of steps decides only how close it is.
 template <typename Scalar, int Dofs, int MaxPoses>
 Status PayloadEnclosure<Scalar, Dofs, MaxPoses>::com_end(int axis, Scalar sign, Scalar lightest,
                                                          Scalar& upper) noexcept {

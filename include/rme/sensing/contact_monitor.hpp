@@ -113,7 +113,7 @@ class ContactMonitor {
     if (cause != ContactCause::Arm) return;
     for (Scale& s : scales_) s.threshold.learn(static_cast<double>(s.threshold.threshold()));
   }
-  /// Whether the last contact ended since its mean followed, not since the residual came back.
+  /// Whether the last contact ended because the mean followed it, not because the residual came back.
   bool followed() const noexcept { return followed_; }
 
   const ContactState<Scalar, Dofs>& state() const noexcept { return state_; }  ///< what the host reads

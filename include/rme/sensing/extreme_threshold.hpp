@@ -9,9 +9,10 @@ namespace rme {
 /// The threshold of a statistic that exceeds it as seldom as is stated, from the largest values that it has shown.
 ///
 /// The maxima x of windows of one second follow a law of extremes, whatever the correlation time of the statistic. If the
-/// variances that the statistic is divided by were known, it would be Gumbel's, with location mu and scale beta. But the
-/// error of an arm is not as large in each motion as its learned variance says, and the rare windows are those with the
-/// larger ones: a variance that 2 n motions tell makes a tail of exponent n (docs/theory.md (T63)),
+/// variances that the statistic is divided by were known, it would be Gumbel's, with location mu and scale beta. But an
+/// arm's error is not equally large in all motions, and the largest maxima come from the motions in which it is larger
+/// than its learned variance says: a variance that is learned from 2 n motions makes a tail of exponent n
+/// (docs/theory.md (T63)),
 ///
 ///     P(max > x) = (1 + (x - mu) / (n beta))^-n
 ///

@@ -31,8 +31,8 @@ struct Proprioception {
   std::optional<JointVector<Scalar, Dofs>> compensation = std::nullopt;
   /// G, the arm's own gravity torque per unit of gravity along each world axis [N m / (m/s^2)], Dofs x 3, payload not
   /// included: in M ddq + C dq + g(q) = tau + tau_ext, g(q) is G g for gravity g (0, 0, -9.81 on a floor). Column i is
-  /// what a function of the model that computes g(q) returns for gravity along axis i of size 1. It shows how a base
-  /// that is tilted, so that gravity is g + d in truth, shows in tau_ext: as -G d.
+  /// what a function of the model that computes g(q) returns for gravity along axis i of size 1. If the base is tilted,
+  /// so that the true gravity is g + d, tau_ext contains -G d.
   std::optional<Eigen::Matrix<Scalar, Dofs, 3>> gravity_torque = std::nullopt;
 };
 

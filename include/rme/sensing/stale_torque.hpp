@@ -1,5 +1,5 @@
 #pragma once
-/// Tells readings of the external torque from a sensor, or a connection, that has stopped giving any.
+/// Detects a sensor of the external torque, or a connection, that has stopped measuring but still reports values.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/types.hpp>

@@ -19,9 +19,10 @@
 
 namespace rme {
 
-/// Explains the external torque by the payload as the tracker knows it, and has what remains watched, tick by tick
-/// (docs/theory.md, "Contact"). The payload is taken over from the tracker while a payload, or none, explains a block. So
-/// neither a push nor an object that is being attached gets into the explanation before the tracker knows what it is.
+/// Explains the external torque by the payload as the tracker knows it, and has the rest watched by a ContactMonitor,
+/// tick by tick (docs/theory.md, "Contact"). The payload is taken over from the tracker while a payload, or none,
+/// explains a block. So neither a push nor an object that is being attached gets into the explanation before the
+/// tracker knows what it is.
 ///
 /// Real time: update() is O(Dofs), judge() O(100 Dofs); nothing allocates or throws.
 template <typename Scalar, int Dofs>

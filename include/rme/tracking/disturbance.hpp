@@ -26,7 +26,8 @@ enum class Disturbing : std::uint8_t {
 /// A Gaussian over the wrench of a disturbance, w: force [N] and moment [N m] about the end-effector origin, world axes.
 /// The torque of a block is then the payload's and the arm's, plus J^T w, plus, for a jolt, an independent torque on
 /// each joint (docs/theory.md (T43)). The payload is not learned from such a block. The arm's nuisances are, given the
-/// wrench. How large a jolt is, is not known: single samples may be a hundred times as large as any wrench. Real time: nothing allocates.
+/// wrench. The size of a jolt is unknown: single samples may be a hundred times as large as any wrench. Real time:
+/// nothing allocates.
 template <typename Scalar, int Dofs>
 class Disturbance {
  public:

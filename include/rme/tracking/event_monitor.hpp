@@ -56,7 +56,7 @@ struct Event {
 /// disturbance or a pour is likeliest, or when the hand is found empty that held something, or the reverse. It is over
 /// once Empty or Held has been likeliest for 0.1 s. It is also over 0.4 s after Changing was likeliest for the last
 /// time, unless Disturbed is likeliest then. If the payload is then the same as before and nothing pushed, it does not
-/// count as an event. Mass and centre of mass are another one if they differ by more than their uncertainties before and
+/// count as an event. A mass or a centre of mass has changed if it differs by more than the uncertainties before and
 /// after explain, and by more than 2 % or 1 cm. No call allocates.
 template <typename Scalar>
 class EventMonitor {

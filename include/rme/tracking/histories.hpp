@@ -58,7 +58,7 @@ class Histories {
   /// @param block     the next block
   /// @param regime    which joints rest in it
   /// @param context   what else is known of it
-  /// @param children  where the block's children are kept until it ends; nobody else may use it until then
+  /// @param children  where the block's children are kept until it ends; nothing else may use it until then
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
              const BlockContext<Scalar, Dofs>& context, Children& children) noexcept {
     work_ = &children;

@@ -264,7 +264,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     for (int k = 0; k < 2; ++k) detail::add_scaled(turned, tilt[k], along[k]);
   }
   block_ = block;
-  if (block.gravity_torque) {  // what is held hangs along gravity as it is
+  if (block.gravity_torque) {  // the weight of what is held acts along the true gravity
     const Matrix3<Scalar> lever = detail::product(skew(turned), block.rotation);
     for (int j = 0; j < Dofs; ++j) {
       for (int axis = 0; axis < 3; ++axis) {

@@ -12,7 +12,7 @@ enum class Mode : std::uint8_t {
   Held,       ///< the payload is the same as in the block before
   Pouring,    ///< the payload's mass changes at an unknown, nearly constant rate
   Disturbed,  ///< the payload is the same, and something else acts on the arm in addition
-  Changing,   ///< no payload explains this block: the old one is gone, and the next one is not there as a whole
+  Changing,   ///< no payload explains this block: the old one is gone, and the next one is not all there yet
 };
 inline constexpr std::size_t kModes = 5;  ///< number of modes
 

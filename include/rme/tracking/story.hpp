@@ -25,7 +25,7 @@ struct Story {
   bool quick = false;                     ///< of Mode::Pouring: it is taken up quickly
   int payload = 0;                        ///< which payload is held; 0 for none
   int next = 1;                           ///< name of the payload that will be held next
-  Scalar held_for = Scalar(0);            ///< since the payload was drawn, but for what disturbed it [s]
+  Scalar held_for = Scalar(0);            ///< since the payload was drawn, disturbed blocks left out [s]
   Scalar log_weight = Scalar(0);          ///< log probability
   Scalar log_plausible = Scalar(0);       ///< log probability that the mass is plausible, as counted so far
   /// Log density at phi = 0 of the prior that the payload was drawn from; only if it was drawn, and nothing poured since.

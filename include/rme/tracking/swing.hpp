@@ -1,5 +1,5 @@
 #pragma once
-/// A payload that swings: it hangs, or what holds it gives.
+/// A payload that swings: it hangs, or the grip is soft.
 #include <algorithm>
 #include <cmath>
 #include <rme/core/small_matrix.hpp>
@@ -9,8 +9,9 @@
 
 namespace rme {
 
-/// The force of a swing: that with which a payload pulls at the hand beside its weight and its inertia. It has no mean, so
-/// what the hand holds is learned all the same. In each direction it changes at a rate of its own (docs/theory.md (T55)),
+/// The force of a swing, with which a payload pulls at the hand in addition to its weight and its inertia. Its mean is
+/// zero, so what the hand holds is learned all the same. In each direction it changes at a rate of its own
+/// (docs/theory.md (T55)),
 ///
 ///     df/dt = r,   dr/dt = -L^2 f - 2 L r + noise
 ///
@@ -23,7 +24,7 @@ class Swing {
   /// A swing that nothing is known of.
   /// @param star    state; from here on it has the force as an unknown of its own
   /// @param weight  of the payload [N], > 0
-  /// @param goes    it goes on already; otherwise the force is 0 as yet
+  /// @param goes    whether it has begun before; otherwise the force is 0 at first
   void begin(Star& star, Scalar weight, bool goes) noexcept {
     const Scalar force = Scalar(kForce) * weight;
     *this = Swing();
@@ -98,7 +99,7 @@ class Swing {
     side_ = side;
     since_ = Scalar(0);
   }
-  /// Whether the force has gone to both sides. One that only grows may be a touch.
+  /// Whether the force has had both signs. A force that only grows may be a touch.
   bool shown() const noexcept { return half_ > 0; }
   /// Mean square of the force in each direction in the last second [N^2], world axes; 0 until it is shown().
   Vector3<Scalar> square() const noexcept { return shown() ? moves_ : Vector3<Scalar>(Vector3<Scalar>::Zero()); }
@@ -120,7 +121,7 @@ class Swing {
   static constexpr double kHidden = 0.03;               // relative error of a payload that swings unnoticed
   static constexpr double kUnnoticed = 0.3;             // for how long a swing stays unnoticed [s]
   static constexpr double kMiddle = 1;                  // memory of the middle of the swing [s]
-  static constexpr double kEdge = 0.3;                  // how far out of it a side begins, in standard deviations
+  static constexpr double kEdge = 0.3;                  // distance from it where a side begins, in standard deviations
   static constexpr double kNewest = 0.3;                // share of the newest half period in the frequency
   Vector3<Scalar> variance_ = Vector3<Scalar>::Zero();  // size: of the force in each direction [N^2], world axes
   Rate<Scalar, Dofs> rate_;                             // r [N/s]; its fourth entry is 0

@@ -106,9 +106,9 @@ class BlockAverager {
   const TorqueBlock<Scalar, Dofs>& block() const noexcept { return block_; }
   /// External torque of the last sample, with the observer's lag removed [N m].
   const JointVector<Scalar, Dofs>& torque() const noexcept { return torque_; }
-  /// Something begins now: what came before and what comes after does not belong into one mean. Leaves out the samples of
-  /// the current block, and makes a short one of those to come. Has no effect until that one is complete, so that there are
-  /// blocks however often something begins.
+  /// Something begins now: the samples before and after do not belong in one mean. Leaves out the samples of the
+  /// current block, and makes the next block a short one. Further calls have no effect until that one is complete, so
+  /// that there are blocks however often something begins.
   void restart() noexcept {
     if (skipped_ > Scalar(0)) return;
     skipped_ = duration_ + part_duration_;

@@ -30,13 +30,13 @@ struct Transitions {
   static constexpr double kPours = 6e-4;      ///< something begins to flow into or out of what is held
   static constexpr double kFills = 1.2e-4;    ///< the same of an empty hand
   static constexpr double kSwings = 3e-6;     ///< what is held begins to swing
-  static constexpr double kHangs = 3e-4;      ///< what is held from now on swings, as a share of that
+  static constexpr double kHangs = 3e-4;      ///< a payload that is drawn swings, as a share of drawn ones
   static constexpr double kSwingEnds = 2e-3;  ///< a swing ends
   static constexpr double kAtOnce = 0.3;      ///< no block lies between the old payload, or none, and the new: as a
                                               ///< share of SensingKind::change, to a new payload and to an empty hand;
                                               ///< and a payload turns out never to have been there
   static constexpr double kPourEnds = 4e-3;   ///< a pour ends
-  static constexpr double kQuickEnds = 0.03;  ///< what is taken up slowly is taken up
+  static constexpr double kQuickEnds = 0.03;  ///< a quick pour ends: the payload is taken up
   static constexpr double kSettles = 0.25;    ///< a change ends in a new payload
   static constexpr double kEmpties = 0.1;     ///< a change ends in an empty hand
   static constexpr double kDisturbEnds = 0.02;  ///< a push ends

@@ -5,10 +5,10 @@
 
 namespace rme {
 
-/// A hand that is held by something rigid feels the robot's compensation as further weight, so that a robot which carries
-/// all that it feels drives both up. Weight and support differ in one thing: what is rigid resists each millimetre of
-/// motion with some newtons. So what is felt little by little is undecided until the hand has moved up or down with it
-/// (docs/theory.md (T67)), also in the moment before it was noticed. What is felt at once is a payload, unless something
+/// If something rigid holds the hand, the robot's compensation appears as further weight, so that a robot which carries
+/// all of it drives both up. Weight and support differ in one thing: something rigid resists each millimetre of motion
+/// with some newtons. So what appears little by little is undecided until the hand has moved up or down with it
+/// (docs/theory.md (T67)), also just before it was noticed. What appears at once is a payload, unless something
 /// undecided came before. Real time: nothing allocates.
 template <typename Scalar>
 class Undecided {
