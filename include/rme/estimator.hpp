@@ -211,11 +211,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   guard_.update(averager_.torque(), Torque(detail::transposed_product(in.jacobian, weight)), static_cast<Scalar>(dt));
   const bool touched = contact().contact;
   watch_.update(sample, dt, state_.time);
-<<<<<<< HEAD
-  if (!touched && jolted()) averager_.restart();
-=======
-  if (contact().contact && !touched) averager_.restart();  // no block is a mean of before and after
->>>>>>> words
+  if (!touched && jolted()) averager_.restart();  // no block is a mean of before and after
   if (contact_) watch_.hold();
   expected_ = std::max(0.0, expected_ - dt);
   // With a Jacobian of zeros, tau_ext does not depend on the payload.
