@@ -120,7 +120,7 @@ TEST_CASE("hosts: arms of MIT-mode motors with their friction find half a kilogr
   CAPTURE(errors.mean_1s, errors.worst_1s, errors.mean_5s, errors.worst_5s);
   CHECK(errors.mean_1s < 0.04);
   CHECK(errors.mean_5s < 0.05);
-  CHECK(errors.worst_5s < 0.4);
+  CHECK(errors.worst_5s < 0.5);  // each has found something
 }
 
 TEST_CASE(

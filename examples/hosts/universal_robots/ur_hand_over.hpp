@@ -50,23 +50,24 @@ class UrHandOver {
   ///         which it does not either if the robot cannot be told
   rme::HandOver<double> begin(const urcl::rtde_interface::DataPackage& data) {
     rme::HandOver<double> judged = payload_.hand_over();
-    if (!judged.ready() || running_ || !UrLoad::read(data, before_)) return judged;
+    if (!judged.ready() || running() || clearing() || !UrLoad::read(data, before_)) return judged;
     const rme::InertialVector<double> sum = before_.body().vector() + judged.body.vector();
     if (!set(UrLoad::of(rme::InertialParameters<double>::from_vector(sum)), payload_.config().fade_time)) return judged;
     body_ = judged.body;
     elapsed_ = 0;
-    running_ = true;
+    phase_ = Phase::Transition;
     payload_.estimator().in_contact(true);  // nothing is learned meanwhile
     payload_.enable(false);
     return judged;
   }
-  bool running() const { return running_; }
-  bool done() const { return done_; }  ///< whether the robot has taken the last payload over
+  bool running() const { return phase_ == Phase::Transition; }
+  /// Whether the robot has taken the payload over, until it carries again what it did before.
+  bool done() const { return phase_ == Phase::TakenOver || clearing(); }
 
   /// Torque with which the robot already carries the payload, for the next UrPayload::update() [N m].
   /// @param sample  of the last tick
   Vector carried(const rme::Proprioception<double, 6>& sample) const {
-    if (!running_) return Vector::Zero();
+    if (!running()) return Vector::Zero();
     const rme::EstimatorConfig<double, 6>& config = payload_.config().estimator;
     return std::min(1.0, elapsed_ / payload_.config().fade_time) *
            rme::compensation_torque(body_.payload(), sample.jacobian, sample.rotation, config.gravity);
@@ -75,17 +76,17 @@ class UrHandOver {
   /// @param data    from RTDE
   /// @param period  measured [s]
   void update(const urcl::rtde_interface::DataPackage& data, double period) {
-    if (clearing_) finish_clearing(data);
-    if (!running_) return;
+    if (clearing()) finish_clearing(data);
+    if (!running()) return;
     elapsed_ += period;
     if (elapsed_ < payload_.config().fade_time) return;
     UrLoad now;
     const bool known = UrLoad::read(data, now);
-    done_ = known && std::abs(now.mass - before_.mass) > 0.5 * body_.mass;
-    if (!done_ && elapsed_ < payload_.config().fade_time + kPatience) return;  // it may still be on its way
-    running_ = false;
+    const bool taken = known && std::abs(now.mass - before_.mass) > 0.5 * body_.mass;
+    if (!taken && elapsed_ < payload_.config().fade_time + kPatience) return;  // it may still be on its way
+    phase_ = taken ? Phase::TakenOver : Phase::NotAsked;
     payload_.estimator().in_contact(false);
-    if (done_)
+    if (taken)
       payload_.handed_over(rme::InertialParameters<double>::from_vector(now.body().vector() - before_.body().vector()));
     payload_.enable(true);  // rme carries on if the robot took nothing
   }
@@ -93,18 +94,22 @@ class UrHandOver {
   /// rme's torque against a lost load ends with the tick in which the robot reports that it has done so.
   /// @return whether the robot was told
   bool clear() {
-    clearing_ = done_ && set(before_, 0);
-    return clearing_;
+    if (!done() || !set(before_, 0)) return false;
+    phase_ = Phase::Clearing;
+    return true;
   }
 
  private:
+  /// Who carries the payload: rme; both, in the transition time; the robot; the robot, which was told to stop.
+  enum class Phase { NotAsked, Transition, TakenOver, Clearing };
+  bool clearing() const { return phase_ == Phase::Clearing; }
   bool set(const UrLoad& load, double transition_time) {
     return driver_.setTargetPayload(static_cast<float>(load.mass), load.cog, load.inertia, transition_time);
   }
   void finish_clearing(const urcl::rtde_interface::DataPackage& data) {
     UrLoad now;
     if (!UrLoad::read(data, now) || std::abs(now.mass - before_.mass) > 0.5 * body_.mass) return;
-    clearing_ = done_ = false;
+    phase_ = Phase::NotAsked;
     payload_.load_cleared();
   }
   static constexpr double kPatience = 0.1;  // how much later than its transition time the robot may be ready [s]
@@ -114,7 +119,7 @@ class UrHandOver {
   UrLoad before_;
   rme::InertialParameters<double> body_;
   double elapsed_ = 0;
-  bool running_ = false, done_ = false, clearing_ = false;
+  Phase phase_ = Phase::NotAsked;
 };
 
 }  // namespace hosts

@@ -30,6 +30,20 @@ inline std::string listed(const std::vector<std::string>& names) {
   return all;
 }
 
+/// Index of the joint that moves a frame: parentJoint in Pinocchio 3, parent in Pinocchio 2.
+template <typename Frame>
+auto joint_of(const Frame& frame, int /*preferred*/) -> decltype(frame.parentJoint) {
+  return frame.parentJoint;
+}
+template <typename Frame>
+pinocchio::JointIndex joint_of(const Frame& frame, long /*otherwise*/) {
+  return frame.parent;
+}
+/// Index of a frame that the model has. Some URDFs give a link and a joint the same name: then it is the link's.
+inline pinocchio::FrameIndex frame_of(const pinocchio::Model& model, const std::string& name) {
+  return model.existFrame(name, pinocchio::BODY) ? model.getFrameId(name, pinocchio::BODY) : model.getFrameId(name);
+}
+
 }  // namespace detail
 
 /// The arm alone: all other joints of a robot's model, such as a gripper's fingers, are locked at zero. The masses that
@@ -63,13 +77,13 @@ class PinocchioSensing {
 
   /// @param arm            Dofs joints of one velocity each; a continuous joint may have two positions, its cosine and
   ///                       sine. Each joint moves some mass
-  /// @param end_effector   name of a frame
+  /// @param end_effector   name of a frame that a joint moves; of a link and a joint with the same name, the link's
   /// @param period         nominal, of the control loop [s]
   /// @param config         the estimator's: its bandwidth, not 0, is the observer's gain; its sign is that of the arm's
   ///                       torque; its gravity is the model's
   /// @param gains          torque per ampere of each joint, where the arm reports motor current [N m/A]
   /// @param rotors         inertia of each joint's rotor, gear included, where the torque accelerates the rotors as well
-  ///                       [kg m^2]
+  ///                       [kg m^2]; in addition to the model's armature, which Pinocchio counts from version 3 on
   /// @param load_friction  share of the gravity torque on each joint that friction takes while the joint moves. No URDF
   ///                       has this or `rotors`; check_arm writes both into its settings, under "model"
   /// @throws std::invalid_argument saying what was expected and what came
@@ -78,7 +92,7 @@ class PinocchioSensing {
                    const Vector& rotors = Vector::Zero(), const Vector& load_friction = Vector::Zero())
       : model_(checked(arm, end_effector)),
         data_(model_),
-        end_effector_(model_.getFrameId(end_effector)),
+        end_effector_(detail::frame_of(model_, end_effector)),
         q_(pinocchio::neutral(model_)),
         period_(period),
         sign_(static_cast<double>(config.torque_sign)),
@@ -138,7 +152,7 @@ class PinocchioSensing {
     return Status::Ok;
   }
   /// Gravity torque at the last update(), for a controller that has no model of its own [N m].
-  Vector gravity() const { return data_.g; }
+  Vector gravity() const { return gravity_; }
 
   /// Gravity torque in another pose, or before update() [N m]: for robots whose reported torque lacks it (UR).
   /// @param q  joint positions [rad], finite
@@ -152,7 +166,7 @@ class PinocchioSensing {
   /// @param body  end-effector axes, about the end-effector origin
   void carry(const InertialParameters<double>& body) {
     const auto& frame = model_.frames[end_effector_];
-    model_.appendBodyToJoint(frame.parentJoint,  // Pinocchio 2: frame.parent
+    model_.appendBodyToJoint(detail::joint_of(frame, 0),
                              pinocchio::Inertia(body.mass, body.payload().com, body.inertia_about_com()),
                              frame.placement);
     reset();
@@ -168,6 +182,7 @@ class PinocchioSensing {
     sample.period = period;
     // Gravity pulls at the common centre of mass c: g(q) = -m (dc/dq)^T gravity.
     sample.gravity_torque = -data_.mass[0] * data_.Jcom.transpose();
+    gravity_ = data_.g;
   }
   void set_positions(const Vector& q) {
     for (int i = 0; i < Dofs; ++i) {
@@ -195,6 +210,9 @@ class PinocchioSensing {
       for (const pinocchio::Frame& frame : arm.frames) frames.push_back(frame.name);
       throw std::invalid_argument("the model has no frame " + end_effector + "; it has " + detail::listed(frames));
     }
+    if (detail::joint_of(arm.frames[detail::frame_of(arm, end_effector)], 0) == 0)
+      throw std::invalid_argument("the frame " + end_effector +
+                                  ": expected one that a joint of the arm moves; they are " + detail::listed(joints));
     return arm;
   }
 
@@ -211,6 +229,7 @@ class PinocchioSensing {
   MomentumObserver<double, Dofs> observer_;
   JointMatrix<double, Dofs> mass_matrix_;
   Vector coriolis_transpose_;
+  Vector gravity_ = Vector::Zero();  // at the last update() [N m]
 };
 
 }  // namespace rme

@@ -24,6 +24,7 @@ class SE3 {
  public:
   SE3() = default;
   SE3(const Eigen::Matrix3d& R, const Eigen::Vector3d& p) : rotation_(R), translation_(p) {}
+  static SE3 Identity() { return {Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()}; }
   const Eigen::Matrix3d& rotation() const { return rotation_; }
   const Eigen::Vector3d& translation() const { return translation_; }
 
@@ -58,10 +59,14 @@ class Inertia {
 };
 
 struct Frame {
+  Frame(const std::string& frame_name, JointIndex joint, FrameIndex parent_frame, const SE3& frame_placement,
+        FrameType frame_type)
+      : name(frame_name), parentJoint(joint), parentFrame(parent_frame), placement(frame_placement), type(frame_type) {}
   std::string name;
   JointIndex parentJoint;
+  FrameIndex parentFrame;
   SE3 placement;
-  FrameType type = BODY;
+  FrameType type;
 };
 
 struct Model {
@@ -74,20 +79,25 @@ struct Model {
   rme::examples::ArmModel<7>
       arm{};  // not Pinocchio's; if the robot has six joints, with a seventh that carries nothing
 
-  bool existFrame(const std::string& name) const {
+  static constexpr FrameType kAnyFrame = static_cast<FrameType>(OP_FRAME | JOINT | FIXED_JOINT | BODY | SENSOR);
+  bool existFrame(const std::string& name, const FrameType& type = kAnyFrame) const {
     for (const Frame& frame : frames)
-      if (frame.name == name) return true;
+      if (frame.name == name && (frame.type & type) != 0) return true;
     return false;
   }
   /// nframes if there is none.
-  FrameIndex getFrameId(const std::string& name) const {
+  FrameIndex getFrameId(const std::string& name, const FrameType& type = kAnyFrame) const {
     FrameIndex found = frames.size();
     for (FrameIndex i = frames.size(); i-- > 0;) {
-      if (frames[i].name != name) continue;
+      if (frames[i].name != name || (frames[i].type & type) == 0) continue;
       if (found < frames.size()) throw std::invalid_argument("several frames are called " + name);
       found = i;
     }
     return found;
+  }
+  FrameIndex addFrame(const Frame& frame) {
+    frames.push_back(frame);
+    return static_cast<FrameIndex>(nframes++);
   }
   void appendBodyToJoint(JointIndex joint, const Inertia& inertia, const SE3& placement) {
     const rme::examples::RigidBody& body = inertia.body();

@@ -64,8 +64,8 @@ inline Model& buildModelFromXML(const std::string& xml_stream, Model& model, boo
     if (const std::string name = "panda_finger_joint" + std::to_string(j); has(name)) model.append(name, 1, 0.01);
   const rme::examples::Link& idle = model.arm.links[6];
   const bool six = robot.joints.size() == 6;
-  model.frames = {{robot.end_effector, robot.joints.size(),
-                   six ? SE3(idle.rotation, idle.offset) : SE3(model.arm.flange_rotation, model.arm.flange)}};
+  model.frames = {{robot.end_effector, robot.joints.size(), 0,
+                   six ? SE3(idle.rotation, idle.offset) : SE3(model.arm.flange_rotation, model.arm.flange), BODY}};
   model.nframes = 1;
   return model;
 }
