@@ -98,7 +98,7 @@ TEST_CASE("BlockAverager: after restart() comes a short block, and nothing is in
     if (k == 54) averager.restart();
   }
   REQUIRE(blocks.size() == 4);
-  const double ends[] = {0.02, 0.04, 0.064, 0.084}, durations[] = {0.02, 0.02, Averager::kShort, 0.02};
+  const double ends[] = {0.02, 0.04, 0.064, 0.084}, durations[] = {0.02, 0.02, 0.01, 0.02};
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     CAPTURE(i);
     CHECK((blocks[i].tau - (i < 2 ? before : after)).norm() < 1e-11);

@@ -82,7 +82,6 @@ class BlockAverager {
  public:
   static constexpr double kDuration = 0.02;          ///< duration of a block if dq has little noise [s]
   static constexpr double kLongest = 3 * kDuration;  ///< longest duration, if dq is noisy [s]
-  static constexpr double kShort = 0.01;             ///< duration after restart(): a jolt is large against noise [s]
   /// Period p of the arm's own observer, which may run faster than the host's loop [s].
   static constexpr double kObserverPeriod = 0.001;
 
@@ -112,7 +111,7 @@ class BlockAverager {
   void restart() noexcept {
     if (skipped_ > Scalar(0)) return;
     skipped_ = duration_ + part_duration_;
-    target_ = kShort;
+    target_ *= 0.5;
     begin();
   }
   /// Discards the current block and the last sample. The noise of dq and the resolution of tau_ext are kept.
