@@ -224,7 +224,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   // inversion leaves a share of every change of the torque.
   const Scalar share = Scalar(kTiming) / block.duration;
   // Noise is learned over blocks of the usual duration. In a shorter one white noise averages out less.
-  if (!(block.skipped > 0)) usual_duration_ = block.duration;
+  if (!block.begins) usual_duration_ = block.duration;
   const Scalar shorter = std::max(Scalar(0), usual_duration_ / block.duration - 1);
   for (int j = 0; j < Dofs; ++j) {
     const Scalar change = started_ ? share * (block.tau[j] - block_.tau[j]) : Scalar(0), step = block.torque_step[j];

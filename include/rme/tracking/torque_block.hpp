@@ -34,6 +34,7 @@ struct TorqueBlock {
   int samples = 0;                                      ///< number of samples
   /// Time between the last block and this one: that of the samples that restart() has left out [s].
   Scalar skipped = Scalar(0);
+  bool begins = false;  ///< something begins with this block: it is half as long as usual
   /// Posterior variance of the flange's linear acceleration in `regressor`, mean over the axes [(m/s^2)^2]. It is a
   /// noise of the torque, m^2 times as large per axis. 0 if the host gives the motion.
   Scalar acceleration_variance = Scalar(0);
@@ -106,10 +107,11 @@ class BlockAverager {
   /// External torque of the last sample, with the observer's lag removed [N m].
   const JointVector<Scalar, Dofs>& torque() const noexcept { return torque_; }
   /// Something begins now: the samples before and after do not belong in one mean. Leaves out the samples of the
-  /// current block, and makes the next block a short one. Further calls have no effect until that one is complete, so
-  /// that there are blocks however often something begins.
+  /// current block, and makes the next one half as long: what begins is large against the noise. Further calls have no
+  /// effect until that one is complete, so that there are blocks however often something begins.
   void restart() noexcept {
-    if (skipped_ > Scalar(0)) return;
+    if (begins_) return;
+    begins_ = true;
     skipped_ = duration_ + part_duration_;
     target_ *= 0.5;
     begin();
@@ -118,6 +120,7 @@ class BlockAverager {
   void clear() noexcept {
     started_ = false;
     skipped_ = Scalar(0);
+    begins_ = false;
     for (int j = 0; j < Dofs; ++j) {
       acceleration_[j].interrupt();
       torque_rate_[j].interrupt();
@@ -165,6 +168,7 @@ class BlockAverager {
   // Of the current block.
   int parts_ = 0, differences_ = 0;
   Scalar skipped_ = Scalar(0);  // time left out before it [s]
+  bool begins_ = false;         // restart() began it
   Scalar duration_ = Scalar(0), weight_ = Scalar(0);
   JointVector<Scalar, Dofs> changes_;     // weighted sum of the changes of dq
   JointVector<Scalar, Dofs> unmeasured_;  // the same over the parts whose motion the host does not give
@@ -325,7 +329,9 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   sums_.end = time;
   sums_.duration = duration_;
   sums_.skipped = skipped_;
+  sums_.begins = begins_;
   skipped_ = Scalar(0);
+  begins_ = false;
   sums_.tau /= weight_;
   sums_.torque_rate /= weight_;
   sums_.regressor /= weight_;
