@@ -283,6 +283,18 @@ TEST_CASE("PinocchioSensing: refuses a model whose links have no inertia, and na
                         contains("panda_joint7; expected <inertial>"));
 }
 
+TEST_CASE("PinocchioSensing: a link without mass is no fault if a later one has mass, and names its joint if none has",
+          "[host]") {
+  const auto without_mass = [](const std::string& link) {
+    std::string urdf = panda_urdf();
+    const std::size_t from = urdf.find("<inertial>", urdf.find("<link name=\"" + link + "\""));
+    return model_of(urdf.erase(from, urdf.find("</inertial>", from) + 11 - from));
+  };
+  CHECK_NOTHROW(PinocchioSensing<7>(without_mass("panda_link3"), "panda_link8", kPeriod));
+  CHECK_THROWS_WITH(PinocchioSensing<7>(without_mass("panda_link7"), "panda_link8", kPeriod),
+                    contains("no mass moves with panda_joint7; expected"));
+}
+
 TEST_CASE("PinocchioSensing: refuses a period of zero", "[host]") {
   CHECK_THROWS_WITH(PinocchioSensing<7>(panda_arm(), "panda_link8", 0),
                     contains("PinocchioSensing::period: expected > 0 s, got 0"));

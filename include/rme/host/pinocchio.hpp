@@ -76,7 +76,7 @@ class PinocchioSensing {
   using Vector = JointVector<double, Dofs>;  ///< one number per joint
 
   /// @param arm            Dofs joints of one velocity each; a continuous joint may have two positions, its cosine and
-  ///                       sine. Each joint moves some mass
+  ///                       sine. Some mass moves with each joint
   /// @param end_effector   name of a frame that a joint moves; of a link and a joint with the same name, the link's
   /// @param period         nominal, of the control loop [s]
   /// @param config         the estimator's: its bandwidth, not 0, is the observer's gain; its sign is that of the arm's
@@ -199,9 +199,12 @@ class PinocchioSensing {
       throw std::invalid_argument("the model: expected " + std::to_string(Dofs) +
                                   " joints of one velocity each on a fixed base, got nv = " + std::to_string(arm.nv) +
                                   ": " + detail::listed(joints) + "; pinocchio_arm() locks what is too much");
+    std::vector<double> moved;  // mass that moves with each joint: its link's, and those of the links after it
+    for (const pinocchio::Inertia& link : arm.inertias) moved.push_back(link.mass());
+    for (std::size_t i = joints.size(); i > 0; --i) moved[arm.parents[i]] += moved[i];
     std::vector<std::string> massless;
     for (std::size_t i = 0; i < joints.size(); ++i)
-      if (!(arm.inertias[i + 1].mass() > 0)) massless.push_back(joints[i]);
+      if (!(moved[i + 1] > 0)) massless.push_back(joints[i]);
     if (!massless.empty())
       throw std::invalid_argument("the model has no inertias: no mass moves with " + detail::listed(massless) +
                                   "; expected <inertial> elements in the URDF");

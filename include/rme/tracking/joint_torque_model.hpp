@@ -210,7 +210,6 @@ class JointTorqueModel {
   Vector3<Scalar> gravity_;
   Eigen::Matrix<Scalar, Dofs, 2> tilt_ = Eigen::Matrix<Scalar, Dofs, 2>::Zero();  // d tau / d tilt [N m/rad]
   Torque timing_noise_ = Torque::Zero(), inertia_noise_ = Torque::Zero();         // variances [(N m)^2], [(N m / kg)^2]
-  Scalar usual_duration_ = Scalar(0);                                             // of a block [s]
 };
 
 template <typename Scalar, int Dofs>
@@ -223,13 +222,12 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   // Torque and motion may be a millisecond apart. And if the observer's bandwidth is not quite the stated one, its
   // inversion leaves a share of every change of the torque.
   const Scalar share = Scalar(kTiming) / block.duration;
-  // Noise is learned over blocks of the usual duration. In a shorter one white noise averages out less.
-  if (!block.begins) usual_duration_ = block.duration;
-  const Scalar shorter = std::max(Scalar(0), usual_duration_ / block.duration - 1);
+  // In a block half as long as those from which noise is learned, white noise has twice the variance.
+  const Scalar again = Scalar(block.begins ? 1 : 0);
   for (int j = 0; j < Dofs; ++j) {
     const Scalar change = started_ ? share * (block.tau[j] - block_.tau[j]) : Scalar(0), step = block.torque_step[j];
     // A quantised torque is constant between two steps, so its rounding error stays the same for many blocks.
-    timing_noise_[j] = change * change + Scalar(kSteps) * step * step + shorter * noise_.variance(j);
+    timing_noise_[j] = change * change + Scalar(kSteps) * step * step + again * noise_.variance(j);
   }
   noise_.watch(block, timing_noise_);
   follow_torque(block);

@@ -113,7 +113,6 @@ class BlockAverager {
     if (begins_) return;
     begins_ = true;
     skipped_ = duration_ + part_duration_;
-    target_ *= 0.5;
     begin();
   }
   /// Discards the current block and the last sample. The noise of dq and the resolution of tau_ext are kept.
@@ -134,6 +133,7 @@ class BlockAverager {
   static constexpr int kNoiseMemory = 50;    // memory of the noise of dq in blocks: 1 s
   static constexpr double kNoisiest = 1e-4;  // bound of the variance of dq's noise in the first block [(rad/s)^2]
 
+  double intended() const noexcept { return begins_ ? 0.5 * target_ : target_; }  // duration of the current block [s]
   void begin() noexcept;
   void learn_noise() noexcept;
   void shrink() noexcept;
@@ -180,7 +180,7 @@ class BlockAverager {
   TorqueBlock<Scalar, Dofs> sums_, block_;
   JointVector<Scalar, Dofs> noise_ = JointVector<Scalar, Dofs>::Constant(Scalar(1e-8));  // of dq [(rad/s)^2]
   int noise_blocks_ = 0;       // number of blocks that noise_ is the mean of, at most kNoiseMemory - 1
-  double target_ = kDuration;  // intended duration of the current block [s]
+  double target_ = kDuration;  // duration of a block, unless something begins with it [s]
   ShrunkRate<Scalar, RateNoise::Known> acceleration_[Dofs];
   ShrunkRate<Scalar, RateNoise::Learned> torque_rate_[Dofs];
 };
@@ -290,7 +290,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   if (samples_ > 0) ++differences_;
   ++samples_;
   const auto h = static_cast<Scalar>(dt);
-  const Scalar along = (duration_ + part_duration_ + Scalar(0.5) * h) / static_cast<Scalar>(target_);
+  const Scalar along = (duration_ + part_duration_ + Scalar(0.5) * h) / static_cast<Scalar>(intended());
   // Kept above zero, since a block whose periods jitter may last longer than intended.
   const Scalar shape = std::max(Scalar(0.05), 6 * along * (Scalar(1) - along)), weight = h * shape;
   detail::add_scaled(sums_.tau, weight, torque_);
@@ -320,9 +320,9 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   // A tolerance of half a period, so that jitter does not make every other block longer.
   const double slack = 0.5 * dt;
   ++sums_.samples;
-  const bool complete = static_cast<double>(duration_ + part_duration_) + slack >= target_;
+  const bool complete = static_cast<double>(duration_ + part_duration_) + slack >= intended();
   // The end of this part on the block's time scale, so that errors of the parts' durations do not add up.
-  const double end_of_part = target_ * (parts_ + 1) / kBlockParts;
+  const double end_of_part = intended() * (parts_ + 1) / kBlockParts;
   if (complete || static_cast<double>(duration_ + part_duration_) + slack >= end_of_part) end_part();
   if (!complete) return false;
 

@@ -17,6 +17,7 @@ inline Model buildReducedModel(const Model& model, std::vector<JointIndex> list_
     if (joint < 8) throw std::invalid_argument("the stand-in's arm has seven joints");
     const auto at = static_cast<std::ptrdiff_t>(joint);
     out.names.erase(out.names.begin() + at);
+    out.parents.erase(out.parents.begin() + at);
     out.nqs.erase(out.nqs.begin() + at);
     out.nvs.erase(out.nvs.begin() + at);
     out.idx_qs.erase(out.idx_qs.begin() + at);  // the fingers are last

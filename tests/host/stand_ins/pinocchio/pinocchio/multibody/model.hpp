@@ -72,6 +72,7 @@ struct Frame {
 struct Model {
   int nq = 0, nv = 0, njoints = 1, nframes = 0;
   std::vector<std::string> names = {"universe"};
+  std::vector<JointIndex> parents = {0};
   std::vector<int> nqs = {0}, nvs = {0}, idx_qs = {0};
   std::vector<Inertia> inertias = {Inertia(0, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero())};
   std::vector<Frame> frames;
@@ -107,6 +108,7 @@ struct Model {
                                            R * body.inertia * R.transpose()};
   }
   void append(const std::string& joint, int positions, double mass) {  // not Pinocchio's
+    parents.push_back(names.size() - 1);
     names.push_back(joint);
     inertias.emplace_back(mass, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero());
     idx_qs.push_back(nq);
