@@ -28,9 +28,13 @@ function(rme_add_example name)
   set_property(GLOBAL APPEND PROPERTY RME_EXAMPLES ${name})
 endfunction()
 
+# Folders whose tests are those of include/rme.
+set(rme_core_folders core sensing inference tracking network published control estimator host robustness)
+
 # rme_add_test(FILE [NUMBERS] [LIBRARY...]): one Catch2 program from tests/<folder>/test_<header>.cpp; each test case becomes a
-# ctest with the program's name as its label. Target tests_<folder> builds the folder's programs. NUMBERS: it compares
-# numbers alone, and what it calls runs under the sanitizers in other tests, so that their build leaves it out.
+# ctest with the program's name as its label. Target tests_<folder> builds the folder's programs. Tests of include/rme are
+# labelled core:<program>; target tests_core builds them, and `ctest -L core` runs them. NUMBERS: it compares numbers alone,
+# and what it calls runs under the sanitizers in other tests, so that their build leaves it out.
 function(rme_add_test file)
   if("NUMBERS" IN_LIST ARGN AND RME_SANITIZED)
     return()
@@ -46,11 +50,19 @@ function(rme_add_test file)
   if(Catch2_VERSION VERSION_LESS 3)
     set(strict EXTRA_ARGS -w NoTests)
   endif()
-  catch_discover_tests(${target} TEST_PREFIX "${folder}: " ${strict} PROPERTIES TIMEOUT 600 LABELS ${target})
-  if(NOT TARGET tests_${folder})
-    add_custom_target(tests_${folder})
+  set(label ${target})
+  set(groups tests_${folder})
+  if(folder IN_LIST rme_core_folders)
+    set(label core:${target})
+    list(APPEND groups tests_core)
   endif()
-  add_dependencies(tests_${folder} ${target})
+  catch_discover_tests(${target} TEST_PREFIX "${folder}: " ${strict} PROPERTIES TIMEOUT 600 LABELS ${label})
+  foreach(group IN LISTS groups)
+    if(NOT TARGET ${group})
+      add_custom_target(${group})
+    endif()
+    add_dependencies(${group} ${target})
+  endforeach()
 endfunction()
 
 # rme_add_skipped_test(NAME PACKAGE...): a test in place of those that cannot run here, since packages (Debian's names) are
