@@ -340,6 +340,22 @@ TEST_CASE("JointTorqueModel: a timing error of 0.6 ms and the torque's resolutio
   }
 }
 
+TEST_CASE("JointTorqueModel: a block half as long as usual has twice the noise", "[joint_torque]") {
+  Model model = make_model(Sensing::LinkSide);
+  Regime regime;
+  Block block = at_rest();
+  for (const bool begins : {false, true}) {
+    block.begins = begins;
+    block.duration = begins ? 0.01 : 0.02;
+    regime.update(block);
+    model.begin(block, regime);
+    for (int j = 0; j < kDofs; ++j) {
+      CAPTURE(begins, j);
+      CHECK(model.observation(j, 0).noise == Approx((begins ? 2 : 1) * model.noise().variance(j)).epsilon(1e-12));
+    }
+  }
+}
+
 TEST_CASE("JointTorqueModel: a joint that starts or turns back within a block has half its friction more noise",
           "[joint_torque]") {
   Scene scene(Sensing::JointFriction);

@@ -110,6 +110,18 @@ TEST_CASE("BlockAverager: after restart() comes a short block, and nothing is in
   }
 }
 
+TEST_CASE("BlockAverager: a host with one sample per block has no shorter ones after restart()", "[block]") {
+  Averager averager(50, kGravity);
+  const Sample s = at_rest();
+  for (int k = 0; k <= 6; ++k) {
+    CHECK(averager.add(s, 0.02, 0.02 * k) == (k > 0));
+    if (k == 3) averager.restart();
+    if (k == 0) continue;
+    CHECK_FALSE(averager.block().begins);
+    CHECK(averager.block().duration == Approx(0.02).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("BlockAverager: there are blocks however often it is told to begin anew, and their times add up", "[block]") {
   Averager averager(50, kGravity);
   const Sample s = at_rest();

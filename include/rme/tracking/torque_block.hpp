@@ -34,7 +34,7 @@ struct TorqueBlock {
   int samples = 0;                                      ///< number of samples
   /// Time between the last block and this one: that of the samples that restart() has left out [s].
   Scalar skipped = Scalar(0);
-  bool begins = false;  ///< something begins with this block: it is half as long as usual
+  bool begins = false;  ///< something begins with this block, and it is half as long as usual
   /// Posterior variance of the flange's linear acceleration in `regressor`, mean over the axes [(m/s^2)^2]. It is a
   /// noise of the torque, m^2 times as large per axis. 0 if the host gives the motion.
   Scalar acceleration_variance = Scalar(0);
@@ -329,7 +329,7 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   sums_.end = time;
   sums_.duration = duration_;
   sums_.skipped = skipped_;
-  sums_.begins = begins_;
+  sums_.begins = begins_ && static_cast<double>(duration_) < 0.75 * target_;  // a slow host has no shorter one
   skipped_ = Scalar(0);
   begins_ = false;
   sums_.tau /= weight_;
