@@ -1,5 +1,4 @@
-# Every relative link in README.md and docs/ names a file that is there, and so does every file in backquotes; every figure
-# that the README takes from docs/results.md still stands there.
+# Every relative link in README.md and docs/ names a file that is there, and so does every file in backquotes.
 cmake_minimum_required(VERSION 3.22)
 include(${CMAKE_CURRENT_LIST_DIR}/read.cmake)
 
@@ -26,20 +25,4 @@ foreach(document IN LISTS documents)
       message(SEND_ERROR "${document}: no ${name}")
     endif()
   endforeach()
-endforeach()
-
-# <!-- figure: TEXT -->: a line of results.md has TEXT, whatever the spaces between its cells.
-read(${ROOT}/README.md readme)
-read(${ROOT}/docs/results.md results)
-string(REGEX REPLACE " +" " " results "${results}")
-string(REGEX MATCHALL "<!-- figure: [^\n]+ -->" figures "${readme}")
-if(NOT figures)
-  message(SEND_ERROR "README.md says of no figure where it is from")
-endif()
-foreach(figure IN LISTS figures)
-  string(REGEX REPLACE "<!-- figure: (.+) -->" "\\1" line "${figure}")
-  string(FIND "${results}" "${line}" at)
-  if(at EQUAL -1)
-    message(SEND_ERROR "README.md: docs/results.md has no line with \"${line}\"")
-  endif()
 endforeach()
