@@ -13,7 +13,7 @@ endif()
 
 configure_package_config_file(cmake/rmeConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/rmeConfig.cmake
                               INSTALL_DESTINATION ${rme_package_dir})
-write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/rmeConfigVersion.cmake COMPATIBILITY SameMinorVersion
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/rmeConfigVersion.cmake COMPATIBILITY SameMajorVersion
                                  ARCH_INDEPENDENT)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/rmeConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/rmeConfigVersion.cmake
         DESTINATION ${rme_package_dir})

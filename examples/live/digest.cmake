@@ -1,7 +1,7 @@
 # docs/live/sources.sha256 is the digest of what docs/live was built from. With -DWRITE=ON it is written, otherwise compared.
 cmake_minimum_required(VERSION 3.22)
 file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/include/*.hpp ${ROOT}/examples/live/*)
-foreach(folder check_arm cpic_host io log_diagnosis log_format precompiled replay_log rivals run_network synthetic_arm urdf_arm)
+foreach(folder check_arm cpic_host io log_diagnosis log_format precompiled replay_log rivals synthetic_arm urdf_arm)
   file(GLOB more RELATIVE ${ROOT} ${ROOT}/examples/${folder}/*.[chi]*)
   list(APPEND sources ${more})
 endforeach()

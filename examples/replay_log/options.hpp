@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "io/arguments.hpp"
+#include "io/network_file.hpp"
 #include "replay_log/replay.hpp"
-#include "run_network/network_file.hpp"
 
 namespace rme::examples {
 

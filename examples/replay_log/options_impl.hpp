@@ -4,10 +4,10 @@
 #include <rme/estimator_json.hpp>
 #include <stdexcept>
 
+#include "io/json_file.hpp"
 #include "io/number.hpp"
 #include "replay_log/options.hpp"
 #include "replay_log/settings_model.hpp"
-#include "run_network/json_file.hpp"
 
 namespace rme::examples {
 

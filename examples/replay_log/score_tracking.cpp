@@ -23,9 +23,9 @@
 #include <string>
 #include <vector>
 
+#include "io/json_file.hpp"
 #include "io/program.hpp"
 #include "replay_log/options.hpp"
-#include "run_network/json_file.hpp"
 
 namespace {
 

@@ -6,10 +6,10 @@
 //     static const rme::MismatchNetwork<float> network(panda_weights);
 #include <cctype>
 #include <cstdio>
+#include <io/json_file.hpp>
 #include <io/program.hpp>
 #include <memory>
 #include <rme/network/json.hpp>
-#include <run_network/json_file.hpp>
 #include <stdexcept>
 #include <string>
 

@@ -3,13 +3,13 @@
 /// package.versions).
 
 /// For #if: 10,000 major + 100 minor + patch.
-#define RME_VERSION 200
+#define RME_VERSION 10000
 
 namespace rme {
 
-inline constexpr int kVersionMajor = 0;           ///< with a new one, users may have to change their code
-inline constexpr int kVersionMinor = 2;           ///< the same, while the major version is 0
-inline constexpr int kVersionPatch = 0;           ///< with a new one, users' code stays as it is
-inline constexpr const char* kVersion = "0.2.0";  ///< all three, for logs
+inline constexpr int kVersionMajor = 1;           ///< with a new one, users may have to change their code
+inline constexpr int kVersionMinor = 0;           ///< with a new one, there are new names; users' code stays as it is
+inline constexpr int kVersionPatch = 0;           ///< with a new one, estimates may be better
+inline constexpr const char* kVersion = "1.0.0";  ///< all three, for logs
 
 }  // namespace rme

@@ -81,6 +81,7 @@ def table(header, entries):
         if (name, kind) in seen:  # an overload
             continue
         seen.add((name, kind))
+        summary = summary[:-1] + "." if summary.endswith(":") else summary
         shown = f" Has {', '.join(f'`{n}`' for n in inner)}." if inner else ""
         lines.append(f"| `{name}` | {kind} | {cell(summary + shown)} |")
     return lines + [""]

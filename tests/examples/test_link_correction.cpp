@@ -1,8 +1,8 @@
 #include <check_arm/link_correction.hpp>
 #include <filesystem>
+#include <io/json_file.hpp>
 #include <random>
 #include <replay_log/settings_model.hpp>
-#include <run_network/json_file.hpp>
 #include <sstream>
 #include <string>
 #include <urdf_arm/urdf_chain.hpp>

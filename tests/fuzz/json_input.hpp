@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "run_network/json_file.hpp"
+#include "io/json_file.hpp"
 
 namespace fuzzing {
 

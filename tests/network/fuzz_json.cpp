@@ -15,8 +15,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "io/json_file.hpp"
 #include "network/golden.hpp"
-#include "run_network/json_file.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/json_file.hpp"
 #include "network/golden.hpp"
-#include "run_network/json_file.hpp"
 #include "support/catch.hpp"
 
 namespace {

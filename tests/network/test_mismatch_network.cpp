@@ -1,11 +1,11 @@
 #include <cmath>
 #include <cstdlib>
+#include <io/json_file.hpp>
 #include <limits>
 #include <memory>
 #include <random>
 #include <rme/network/json.hpp>
 #include <rme/network/mismatch_network.hpp>
-#include <run_network/json_file.hpp>
 
 #include "network/golden.hpp"
 #include "support/allocation_count.hpp"

@@ -1,5 +1,5 @@
 #include <cmath>
-#include <run_network/network_file.hpp>
+#include <io/network_file.hpp>
 #include <synthetic_arm/panda.hpp>
 #include <synthetic_arm/pose_impedance.hpp>
 #include <synthetic_arm/synthetic_arm.hpp>

@@ -1,6 +1,6 @@
+#include <io/json_file.hpp>
 #include <memory>
 #include <rme/network/json.hpp>
-#include <run_network/json_file.hpp>
 
 #include "panda_weights.hpp"  // made by weights_to_header from the same file
 #include "support/catch.hpp"

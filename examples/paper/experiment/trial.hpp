@@ -4,9 +4,9 @@
 #include <array>
 #include <cpic_host/host.hpp>
 #include <cstdint>
+#include <io/network_file.hpp>
 #include <rme/estimator.hpp>
 #include <rme/published/published_pipeline.hpp>
-#include <run_network/network_file.hpp>
 #include <synthetic_arm/panda.hpp>
 
 #include "paper/experiment/setup.hpp"

@@ -22,10 +22,10 @@
 #include <string>
 #include <vector>
 
+#include "io/network_file.hpp"
 #include "io/program.hpp"
 #include "paper/calibration/random_host.hpp"
 #include "paper/calibration/scores.hpp"
-#include "run_network/network_file.hpp"
 #include "synthetic_arm/random_pose.hpp"
 
 namespace {

@@ -14,7 +14,7 @@
 
 namespace rme {
 
-/// Solves
+/// A solver of small quadratic programs with two-sided rows, hard or soft, and a box:
 ///
 ///     min   1/2 (x - x_u)^T Q (x - x_u) + sum_soft w_i s_i^2
 ///     s.t.  l_i <= a_i x <= u_i (+- s_i),   x_min <= x <= x_max

@@ -51,7 +51,7 @@ struct CpicInput {
   JointVector<Scalar, Dofs> other_torque = JointVector<Scalar, Dofs>::Zero();
 };
 
-/// Each tick solves
+/// The controller: the torque nearest to a task force that keeps all rows and the torque limits. Each tick it solves
 ///
 ///     min  |W (J^+T tau - F_c)|^2 + eps |N (tau - tau_0)|^2,   W = diag(1, 1, 1, 1/l, 1/l, 1/l)
 ///     s.t. lower_i <= grad_i^T ddq <= upper_i,   M ddq = tau - h_bias,   |tau + other_torque| <= torque_limit

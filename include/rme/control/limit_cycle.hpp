@@ -18,7 +18,9 @@ struct LimitCycleConfig {
   Scalar gain = Scalar(2);           ///< k > 0 [1/s], how fast f leads to the plane and the circle
 };
 
-/// f(x) = w n x p - k (|p|^2 - r^2) / (|p|^2 + r^2) p - k (n.e) n,   e = x - c, p = e - (n.e) n
+/// Circles a point in a plane:
+///
+///     f(x) = w n x p - k (|p|^2 - r^2) / (|p|^2 + r^2) p - k (n.e) n,   e = x - c, p = e - (n.e) n
 ///
 /// [m/s] (docs/theory_control.md (C23)), with n of length 1. The circle |p| = r in the plane is the stable limit cycle;
 /// f is smooth everywhere, also at the centre. The second and third terms are -grad V, with

@@ -1,8 +1,8 @@
-#include "run_network/network_file.hpp"
+#include "io/network_file.hpp"
 
 #include <rme/network/json.hpp>
 
-#include "run_network/json_file.hpp"
+#include "io/json_file.hpp"
 
 namespace rme::examples {
 

@@ -1,4 +1,4 @@
-#include "run_network/json_file.hpp"
+#include "io/json_file.hpp"
 
 #include <fstream>
 #include <istream>
