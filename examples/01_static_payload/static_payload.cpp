@@ -179,9 +179,9 @@ void print(const Options& options, const Run& with, const Run& without) {
   row("centre of mass y  mm", 1e3, 2, truth.com[1]);
   row("centre of mass z  mm", 1e3, 3, truth.com[2]);
   std::printf("\n");
-  std::printf("first compensation   %6.0f ms after the attach, for %.3f kg\n", 1e3 * (with.first.time - kAttach),
+  std::printf("first compensation   %6.0f ms after the attachment, for %.3f kg\n", 1e3 * (with.first.time - kAttach),
               with.first.payload.mean[0]);
-  std::printf("event over           %6.0f ms after the attach\n", 1e3 * (with.over.time - kAttach));
+  std::printf("event over           %6.0f ms after the attachment\n", 1e3 * (with.over.time - kAttach));
   std::printf("a tick takes         %6.1f us on average, %.0f us at most\n", 1e6 * with.mean_time,
               1e6 * with.longest_time);
   std::printf("\nposition error             before    at worst   %.0f s after\n", kLater);

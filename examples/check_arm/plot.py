@@ -33,7 +33,7 @@ def draw_promise(folder, promise, test):
     names = [f"{after:g}" for after in times]
     promise.bar(names, errors, color=AFTER, width=0.5)
     promise.set_title("the promise: mean error")
-    promise.set_xlabel("time after the attach [s]")
+    promise.set_xlabel("time after the attachment [s]")
     promise.set_ylabel("error of the mass [kg]")
     after = max(times)
     shown = weighed & (trials["after"] == after)

@@ -33,7 +33,7 @@ constexpr double kNear = 0.01;                                               // 
 
 constexpr const char* kUsage = R"(usage: rme_closed_loop [options]
 
-Prints how far an unknown payload takes the flange of a Panda from where it would be without, from the attach to the
+Prints how far an unknown payload takes the flange of a Panda from where it would be without, from the attachment to the
 drop: without compensation, with the estimator's, and with that of somebody who knows.
 
   --runs N          with other noise, another centre of mass, another axis to turn about (default 20)
@@ -227,8 +227,8 @@ double print_table(const Options& options, const std::vector<Draw>& draws, const
     progress("payload", i + 1, draws.size());
   }
   std::printf("Distance from the run without payload [mm], median / worst of %zu runs.\n\n", draws.size());
-  MarkdownTable table(
-      {"compensation", "payload", "peak after the attach", "3 s after it", "peak in the move", "peak after the drop"});
+  MarkdownTable table({"compensation", "payload", "peak after the attachment", "3 s after it", "peak in the move",
+                       "peak after the drop"});
   const std::array<const char*, 4> names = {"none", "estimated", "true payload", "estimated"};
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::vector<std::string> cells = {names[r], r < 3 ? text("%.2f kg", options.mass) : "nothing"};

@@ -34,7 +34,7 @@ using namespace rme::examples;
 constexpr const char* kUsage = "usage: score_tracking FOLDER... [options]\n";
 constexpr const char* kOwnUsage =
     "  --scenario LETTERS  which scenarios (ABDEFHM)\n"
-    "  --after S           when A and B are compared, after the attach [s] (0.5)\n"
+    "  --after S           when A and B are compared, after the attachment [s] (0.5)\n"
     "  --dq-noise W        white noise on dq, standard deviation [rad/s]\n"
     "  --torque-step T     tau_ext is quantised in steps of T [N m]\n"
     "  --late N            tau_ext is delayed by N rows\n"

@@ -19,7 +19,7 @@ using testing::HeldArm;
 
 /// What goes on meanwhile.
 enum Situation : std::size_t { kEmpty, kChange, kHeld, kMoving, kPushed, kSituations };
-constexpr std::array<const char*, kSituations> kNames = {"empty hand at rest", "0.2 s after an attach or removal",
+constexpr std::array<const char*, kSituations> kNames = {"empty hand at rest", "0.2 s after an attachment or removal",
                                                          "payload at rest", "payload in motion", "pushed"};
 constexpr std::size_t kPhases = 20;  // ticks from block to block
 

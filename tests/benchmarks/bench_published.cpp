@@ -197,10 +197,10 @@ int main(int argc, char** argv) {
     times.published_all_steps.push_back(asking + times.all_steps.back());
   }
   benchmarks::print_head("The published pipeline, in C++, on the same data, " RME_BENCHMARK_FLAGS);
-  benchmarks::print_row("tracker: the 200 ticks before the attach, together", times.tracker_before);
-  benchmarks::print_row("tracker: the 200 ticks after the attach, together", times.tracker);
-  benchmarks::print_row("tracker: the slowest of the 200 after the attach", times.slowest);
-  benchmarks::print_row("PublishedPipeline: the 200 before the attach, together", times.pipeline_before);
+  benchmarks::print_row("tracker: the 200 ticks before the attachment, together", times.tracker_before);
+  benchmarks::print_row("tracker: the 200 ticks after the attachment, together", times.tracker);
+  benchmarks::print_row("tracker: the slowest of the 200 after the attachment", times.slowest);
+  benchmarks::print_row("PublishedPipeline: the 200 before the attachment, together", times.pipeline_before);
   benchmarks::print_row("PublishedPipeline: the tick that estimates", times.pipeline_tick);
   benchmarks::print_row("rme: network with its input, first pass", times.network);
   benchmarks::print_row("rme: network with its input, again", times.network_again);

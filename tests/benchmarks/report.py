@@ -208,10 +208,10 @@ def comparison(benchmarks, seconds):
     slowest = max((times[0], name) for name, times in ticks.items() if name.startswith("slowest kind of tick"))
     add(f"{slowest[1]}, median", f"{slowest[0]:.1f}", " µs", "≤ 15 µs", slowest[0] <= 15, command)
     for run, blas in published_runs(benchmarks)[:1]:
-        tick = benchmarks.median(run, "tracker: the slowest of the 200 after the attach")
+        tick = benchmarks.median(run, "tracker: the slowest of the 200 after the attachment")
         estimate = benchmarks.median(run, "published estimate, early stop")
         if tick and estimate:
-            add(f"published estimate with its early stop, {blas}, divided by the slowest tick of the 200 after the attach",
+            add(f"published estimate with its early stop, {blas}, divided by the slowest tick of the 200 after the attachment",
                 f"{estimate / tick:.0f}", "", "≥ 100", estimate >= 100 * tick, benchmarks.commands[run])
     cpic = benchmarks.median("bench_cpic", "Cpic::update, all")
     add("CPIC with 14 joint limits and the torque limits, median", f"{cpic:.2f}", " µs", "≤ 1.1 µs", cpic <= 1.1,
@@ -249,17 +249,17 @@ def alternatives(benchmarks):
         for stop, how in (("early stop", "with its early stop, as published"), ("all steps", "all of 2,500 steps")):
             other = f"one published estimate in C++: {f'TorchScript, {blas}' if blas else 'no network'}; " \
                     f"stochastic VI over all residuals, {how}"
-            add("tracker, the 200 ticks after an attach together", other, run,
-                "tracker: the 200 ticks after the attach, together", f"{name}, {stop}")
+            add("tracker, the 200 ticks after an attachment together", other, run,
+                "tracker: the 200 ticks after the attachment, together", f"{name}, {stop}")
             add("tracker, the slowest of these ticks", other, run,
-                "tracker: the slowest of the 200 after the attach", f"{name}, {stop}")
+                "tracker: the slowest of the 200 after the attachment", f"{name}, {stop}")
             add("PublishedPipeline, the tick that estimates", other, run,
                 "PublishedPipeline: the tick that estimates", f"{name}, {stop}")
     for run, _ in published_runs(benchmarks)[:1]:
         add("tracker, 200 ticks in which nothing happens together", "PublishedPipeline, which only watches", run,
-            "tracker: the 200 ticks before the attach, together", "PublishedPipeline: the 200 before the attach, together")
-        add("tracker, the 200 ticks after an attach together", "PublishedPipeline, the tick that estimates", run,
-            "tracker: the 200 ticks after the attach, together", "PublishedPipeline: the tick that estimates")
+            "tracker: the 200 ticks before the attachment, together", "PublishedPipeline: the 200 before the attachment, together")
+        add("tracker, the 200 ticks after an attachment together", "PublishedPipeline, the tick that estimates", run,
+            "tracker: the 200 ticks after the attachment, together", "PublishedPipeline: the tick that estimates")
     add("closed-form VI, from the likelihood", "rme's stochastic VI with the published settings, from the same",
         "bench_inference", "infer_payload: full covariance, from the likelihood",
         "infer_payload: stochastic VI as published, from the likelihood")

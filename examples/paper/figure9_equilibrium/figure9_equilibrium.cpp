@@ -113,12 +113,12 @@ int run(Arguments& arguments) {
     reached = reached && tracker.steady.position <= limit.position && tracker.steady.orientation <= limit.orientation;
   }
   std::printf(
-      "%s, seed %llu: position and orientation error, averaged from %.1f to %.1f s after the attach;\n"
+      "%s, seed %llu: position and orientation error, averaged from %.1f to %.1f s after the attachment;\n"
       "the largest average of %zu trials of each payload.\n\n",
       setup.name().c_str(), static_cast<unsigned long long>(setup.seed), kEnd - kSteady - kAttach, kEnd - kAttach,
       trials);
   steady.print();
-  std::printf("The largest position error from the attach on:\n\n");
+  std::printf("The largest position error from the attachment on:\n\n");
   peak.print();
   return reached ? 0 : 1;
 }

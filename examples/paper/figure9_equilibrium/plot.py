@@ -20,7 +20,7 @@ def draw(folder):
     for axis, title in zip(axes, ("position error [mm]", "orientation error [degrees]")):
         axis.set_yscale("log")
         axis.set_title(title)
-        axis.set_xlabel("time since the attach [s]")
+        axis.set_xlabel("time since the attachment [s]")
     axes[0].set_ylim(bottom=0.02)
     axes[1].set_ylim(bottom=0.002)
     axes[0].legend(fontsize=7, ncol=2, title="dotted: CPIC alone; dashed: published pipeline", title_fontsize=7)

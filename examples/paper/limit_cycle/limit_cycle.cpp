@@ -37,8 +37,8 @@ the published pipeline and that of the tracker.
 
 constexpr const char* kExitCodes = R"(
 Exit codes: 0 the tracker finds every payload and, with its compensation, the mean distance to the cycle in the second
-turn after the attach is at most 5 mm (with --friction, which moves the empty hand off the cycle as well: at most 1 mm
-more than before the attach); 1 otherwise; 2 unusable arguments.
+turn after the attachment is at most 5 mm (with --friction, which moves the empty hand off the cycle as well: at most 1 mm
+more than before the attachment); 1 otherwise; 2 unusable arguments.
 )";
 
 /// Where the flange is, relative to the cycle.
@@ -159,8 +159,8 @@ int run(Arguments& arguments) {
   std::array<CsvFile, 3> paths = {CsvFile(setup.output, "alone.csv", kPathColumns),
                                   CsvFile(setup.output, "published.csv", kPathColumns),
                                   CsvFile(setup.output, "tracker.csv", kPathColumns)};
-  MarkdownTable cycle({"payload [kg]", "compensation", "turn before [mm]", "turn of the attach [mm]", "turn after [mm]",
-                       "progress [turns]", "stopped", "back after [s]"});
+  MarkdownTable cycle({"payload [kg]", "compensation", "turn before [mm]", "turn of the attachment [mm]",
+                       "turn after [mm]", "progress [turns]", "stopped", "back after [s]"});
   MarkdownTable estimates(
       {"payload [kg]", "by", "noticed after [s]", "found after [s]", "mass [g]", "x [mm]", "y [mm]", "z [mm]"});
   std::uint64_t number = 0;
@@ -213,7 +213,8 @@ int run(Arguments& arguments) {
       1e3 * kAtRest, 1e3 * kTarget);
   cycle.print();
   std::printf(
-      "Estimates on the moving arm: longest time of all trials; mean absolute error two turns after the attach.\n\n");
+      "Estimates on the moving arm: longest time of all trials; mean absolute error two turns after the "
+      "attachment.\n\n");
   estimates.print();
   std::printf("Payloads that the tracker did not find: %d of %llu.\n\n", missed,
               static_cast<unsigned long long>(number));

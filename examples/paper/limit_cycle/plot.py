@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws what rme_limit_cycle --output DIR has written.
 
-Left, the path of the flange in the y-z plane: the turn before the attach, and the path after it, for each method of
+Left, the path of the flange in the y-z plane: the turn before the attachment, and the path after it, for each method of
 compensation. Right, the distance to the cycle over time.
 """
 import pathlib
@@ -28,7 +28,7 @@ def draw(folder):
     for run, colour, label in runs:
         before = (run["t"] >= -TURN) & (run["t"] <= 0)
         if run is runs[0][0]:
-            path.plot(1e3 * run["y"][before], 1e3 * run["z"][before], color=BEFORE, label="before the attach")
+            path.plot(1e3 * run["y"][before], 1e3 * run["z"][before], color=BEFORE, label="before the attachment")
         after = run["t"] >= 0
         path.plot(1e3 * run["y"][after], 1e3 * run["z"][after], color=colour, label=label)
         shown = run["t"] >= -TURN
@@ -44,7 +44,7 @@ def draw(folder):
     path.legend(loc="center", bbox_to_anchor=(0.42, 0.5), fontsize=8)
     distance.axvline(0, color="grey", linestyle=":", linewidth=1)
     distance.set_ylim(bottom=0)
-    distance.set_xlabel("time since the attach [s]")
+    distance.set_xlabel("time since the attachment [s]")
     distance.set_ylabel("distance to the cycle [mm]")
     path.set_title(f"{stopped['m'].max():g} kg attached on the move")
     return figure

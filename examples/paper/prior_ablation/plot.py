@@ -3,7 +3,7 @@
 
 Parity plots for the arms with link-side sensing: each parameter's estimate over its true value. Perfect estimates are on the
 dotted line. The rows are the network alone, the published pipeline with the published solver and with the exact posterior,
-and the tracker half a second after the attach; the colours tell estimates with the network from those without.
+and the tracker half a second after the attachment; the colours tell estimates with the network from those without.
 """
 import pathlib
 import sys

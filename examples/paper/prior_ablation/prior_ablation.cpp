@@ -213,7 +213,7 @@ bool report(const std::vector<DataSet>& data, const char* kind) {
     print_ratio(ratio);
     if (kSolvers[i].solver == PublishedSolver::Stochastic) better = ratio.tail<3>().maxCoeff() < 1;
   }
-  print("tracker, 0.5 s after the attach", tracker);
+  print("tracker, 0.5 s after the attachment", tracker);
   return better;
 }
 

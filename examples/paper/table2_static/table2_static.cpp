@@ -145,7 +145,7 @@ int run(Arguments& arguments) {
 
   std::printf(
       "%s, %zu trials of each payload, seed %llu. Cells: mass [kg]; centre of mass x, y, z in flange axes [mm].\n"
-      "The last three columns are mean ± standard deviation of the estimates %.0f s after the attach.\n\n",
+      "The last three columns are mean ± standard deviation of the estimates %.0f s after the attachment.\n\n",
       setup.name().c_str(), trials, static_cast<unsigned long long>(setup.seed), kJudged);
   table.print();
   MarkdownTable summary(

@@ -19,7 +19,7 @@ def draw(folder):
                   color=COLOURS[1], label="published, real arm")
         for who, style, colour, label in (("first", "o:", COLOURS[2], "published pipeline, first estimate"),
                                           ("last", "o-", COLOURS[2], "published pipeline, last estimate"),
-                                          ("tracker", "o:", COLOURS[0], "tracker, since the attach"),
+                                          ("tracker", "o:", COLOURS[0], "tracker, since the attachment"),
                                           ("told", "o-", COLOURS[0], "tracker told of the sensing")):
             points = []
             for interval in INTERVALS:

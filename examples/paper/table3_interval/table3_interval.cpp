@@ -154,7 +154,7 @@ int run(Arguments& arguments) {
   print("published, since the detection", published);
   print("published pipeline, first estimate", means(errors.first));
   print(text("published pipeline, last estimate in %.0f s", kPatience).c_str(), means(errors.last));
-  print("tracker, since the attach", means(errors.tracker));
+  print("tracker, since the attachment", means(errors.tracker));
   print("tracker told of the sensing", means(errors.told));
   std::printf(
       "With the four intervals, the pipeline estimated %zu, %zu, %zu, %zu of %zu payloads. The tracker knew of %zu of "

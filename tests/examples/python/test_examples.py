@@ -34,7 +34,7 @@ def body(script):
 # Ten lines each.
 assert len(body("close_loop.py")) == 10 and len(body("replay.py")) == 10
 
-# The loop: nothing at first, 60 mm of sag without compensation, 2 mm and less half a second after the attach.
+# The loop: nothing at first, 60 mm of sag without compensation, 2 mm and less half a second after the attachment.
 lines = output_of("close_loop.py").splitlines()
 assert len(lines) == 7
 sag = [float(re.match(r"[0-9.]+ s, (-?[0-9.]+) mm: PayloadGaussian\(", line)[1]) for line in lines]
