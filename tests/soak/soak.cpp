@@ -2,6 +2,10 @@
 //
 // Objects come and go at random, one or two at a time, often within a second of each other; something is poured in or
 // out; hands push; the arm moves between poses while all this happens; samples are spoilt, lost, frozen and wild.
+//
+// With --hard the arm is as arms are: torques have gain errors, a tool is not the one that the robot's model has, the base
+// is tilted, dq is noisy, and all noise jumps. Objects are also taken up little by little, single joints are jolted, and the
+// arm rests for ten minutes at a time. --friction adds joint friction to tau_ext.
 // Nothing is asked while something changes and in the half second after that. Then what is believed to be in the hand
 // has to be what is there. Ends with 0 if
 //  - it never was further off than 0.1 kg and four of its own deviations for 0.2 s: not after an attachment, a removal,
@@ -38,6 +42,8 @@ constexpr const char* kUsage =
 
   --minutes M   of simulated operation (default 10)
   --seed N      of everything random (default 1)
+  --hard        gain errors, a wrong tool, a tilted base, noise that jumps, jolts, slow take-ups, long rests
+  --friction    tau_ext contains joint friction
   --help        this text
 
 Exit codes: 0 all is as it should be; 1 not; 2 unusable arguments.
@@ -54,15 +60,29 @@ constexpr double kExcused = 0.01;   // share of the pushes, and of the faults, t
 constexpr double kTaken = 0.02;  // share of the pushes that may be carried while they last: some are what a payload is
 constexpr double kLag = 0.15;    // behind what is poured [kg]
 constexpr double kDrift = 0.01;  // of the event without noise [kg]
+// With --hard.
+constexpr double kGain = 0.02;        // standard deviation of a joint's gain error
+constexpr double kTool = 0.2;         // of the tool's mass error [kg], at
+constexpr double kToolArm = 0.05;     // from the flange [m]
+constexpr double kTilt = 0.05;        // of the base [rad]
+constexpr double kSpeedNoise = 1e-3;  // of dq [rad/s]
+constexpr double kJump = 60;          // mean time between two jumps of the noise [s]
+constexpr double kHardestJolt = 5;    // [N m]
+constexpr double kLongRest = 600;     // [s]
 
 /// What was going on last.
-enum Cause : std::size_t { kAttach, kRemoval, kPour, kMove, kPush, kFault, kCauses };
-constexpr std::array<const char*, kCauses> kCauseNames = {"attach", "removal", "pour", "move", "push", "fault"};
+enum Cause : std::size_t { kAttach, kTakeUp, kRemoval, kPour, kMove, kRest, kPush, kJolt, kFault, kCauses };
+constexpr std::array<const char*, kCauses> kCauseNames = {"attachment", "take-up", "removal", "pour", "move",
+                                                          "rest",       "push",    "jolt",    "fault"};
+/// How the arm is.
+struct Options {
+  bool hard = false, friction = false;
+};
 
 /// Two things in one hand.
 Payload<double> together(const Payload<double>& a, const Payload<double>& b) {
   const double mass = a.mass + b.mass;
-  if (!(mass > 0)) return {};
+  if (mass == 0) return {};
   return {mass, (a.mass * a.com + b.mass * b.com) / mass};
 }
 
@@ -79,7 +99,24 @@ struct Counts {
 
 class Soak {
  public:
-  explicit Soak(std::uint64_t seed) : arm_(seed), random_(seed + 1), estimator_(HeldArm::kPeriod) {}
+  Soak(std::uint64_t seed, const Options& options)
+      : options_(options), arm_(seed), random_(seed + 1), estimator_(HeldArm::kPeriod) {
+    if (!options.hard) return;
+    Vector gain;
+    for (int j = 0; j < 7; ++j) gain[j] = 1 + kGain * normal_(random_);
+    arm_.set_gain(gain);
+    tool_ = {uniform(0, 1) < 0.5 ? kTool : -kTool, {0, 0, kToolArm}};
+    const double about = uniform(0, 2 * 3.14159265358979);
+    gravity_ = Eigen::AngleAxisd(kTilt, Eigen::Vector3d(std::cos(about), std::sin(about), 0)) * gravity_;
+    arm_.set_gravity(gravity_);
+    hold({});
+    estimator_.tare();
+    move(rme::examples::panda().ready.array() + 0.3, 3);
+    since_ = 0;
+    run(3, false);
+    move(rme::examples::panda().ready, 3);
+    run(4, false);
+  }
 
   /// Random operation; ends with an empty hand in the ready pose.
   void operate(double seconds) {
@@ -114,6 +151,7 @@ class Soak {
   Counts counts;
 
  private:
+  using Vector = rme::JointVector<double, 7>;
   double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
   /// In a cube of twice this size.
   Eigen::Vector3d anywhere(double size) {
@@ -135,8 +173,16 @@ class Soak {
       run(uniform(0, 1) < 0.5 ? uniform(0, 2) : uniform(4, 6));  // the next thing happens on the way, or afterwards
     } else if (what < 0.42 && things_ > 0) {
       pour();
+    } else if (options_.hard && what < 0.5) {
+      uniform(0, 1) < 0.01 ? rest() : jolt();
     } else if (things_ < 2 && (things_ == 0 || what < 0.75)) {
-      hand_[things_++] = {uniform(0.3, 1.5), {uniform(-0.05, 0.05), uniform(-0.05, 0.05), uniform(0.05, 0.15)}};
+      const Payload<double> thing = {uniform(0.3, 1.5),
+                                     {uniform(-0.05, 0.05), uniform(-0.05, 0.05), uniform(0.05, 0.15)}};
+      if (options_.hard && uniform(0, 1) < 0.3) {
+        take_up(thing);
+        return;
+      }
+      hand_[things_++] = thing;
       set(together(hand_[0], hand_[1]), kAttach);
       run(pause());
     } else {
@@ -149,6 +195,44 @@ class Soak {
     hand_[--things_] = {};
     set(together(hand_[0], hand_[1]), kRemoval);
     run(seconds);
+  }
+
+  /// Little by little.
+  void take_up(const Payload<double>& thing) {
+    const double seconds = uniform(0.3, 3);
+    Payload<double>& held = hand_[things_++];
+    held = thing;
+    ++counts.happened[kTakeUp];
+    if (since_ > kUnsettled || cause_ < kPush) cause_ = kTakeUp;
+    for (double t = 0.01; t < seconds; t += 0.01) {
+      held.mass = thing.mass * t / seconds;
+      hold(together(hand_[0], hand_[1]));
+      since_ = 0;
+      run(0.01);
+    }
+    held.mass = thing.mass;
+    hold(together(hand_[0], hand_[1]));
+    since_ = 0;
+    run(pause());
+  }
+
+  void jolt() {
+    ++counts.happened[kJolt];
+    const auto joint = static_cast<Eigen::Index>(random_() % 7);
+    cause_ = kJolt;
+    since_ = 0;
+    jolt_[joint] = uniform(-kHardestJolt, kHardestJolt);
+    run(uniform(0.002, 0.03));
+    jolt_.setZero();
+    since_ = 0;
+    run(pause());
+  }
+
+  void rest() {
+    ++counts.happened[kRest];
+    run(5);
+    cause_ = kRest;
+    run(kLongRest);
   }
 
   /// Into the last thing, or out of it.
@@ -203,19 +287,50 @@ class Soak {
   }
   void hold(const Payload<double>& payload) {
     truth_ = payload;
-    arm_.hold(payload);
+    arm_.hold(together(payload, tool_));
   }
 
   bool disturbed() const { return static_cast<double>(counts.ticks - last_fault_) < kAfterFault / HeldArm::kPeriod; }
 
-  void run(double seconds) {
+  void run(double seconds, bool ask = true) {
     for (long k = std::lround(seconds / HeldArm::kPeriod); k > 0; --k) {
       ++counts.ticks;
       since_ += HeldArm::kPeriod;
-      const Tick& now = arm_.tick();
+      Tick now = arm_.tick();
+      if (options_.hard || options_.friction) roughen(now);
       if (deliver(now)) counts.bad_torques += !estimator_.compensation(now.jacobian, now.rotation).allFinite();
-      judge();
+      if (ask) judge();
     }
+  }
+
+  /// Makes of this tick what a real arm would report, and sets the joint torque of the next one.
+  void roughen(Tick& now) {
+    const auto& model = rme::examples::panda();
+    Vector torque = jolt_;
+    if (options_.friction) {  // a joint that rests keeps the friction with which it has stopped
+      for (int j = 0; j < 7; ++j) {
+        if (std::abs(now.dq[j]) > 1e-4) direction_[j] = now.dq[j] > 0 ? 1 : -1;
+        torque[j] -= model.typical_coulomb[j] * direction_[j] + model.typical_viscous[j] * now.dq[j];
+      }
+    }
+    if (options_.hard) {
+      if (arm_.moving() || gravity_torque_.isZero(0)) {
+        for (int axis = 0; axis < 3; ++axis) {
+          pulled_.gravity_vector = Eigen::Vector3d::Unit(axis);
+          gravity_torque_.col(axis) = pulled_.dynamics(arm_.pose(), Vector::Zero()).gravity;
+        }
+      }
+      now.gravity_torque = gravity_torque_;
+      torque += gravity_torque_ * (model.gravity_vector - gravity_);  // the robot's model has an upright base
+      if (faulty_) {
+        for (int j = 0; j < 7; ++j) now.dq[j] += kSpeedNoise * noise_ * normal_(random_);
+        if (uniform(0, kJump) < HeldArm::kPeriod) {
+          noise_ = uniform(0.5, 3);
+          arm_.set_noise(noise_);
+        }
+      }
+    }
+    arm_.set_joint_torque(torque);
   }
 
   void judge() {
@@ -256,10 +371,19 @@ class Soak {
     return estimator_.update(spoilt) == rme::Status::Ok;
   }
 
+  Options options_;
   HeldArm arm_;
   std::mt19937_64 random_;
+  std::normal_distribution<double> normal_;
   Estimator estimator_;
   Payload<double> hand_[2], truth_;
+  Payload<double> tool_;  // that the robot's model lacks, or has too much of
+  Eigen::Vector3d gravity_ = rme::examples::panda().gravity_vector;
+  rme::examples::ArmModel<7> pulled_ = rme::examples::panda();  // along one axis
+  Eigen::Matrix<double, 7, 3> gravity_torque_ =
+      Eigen::Matrix<double, 7, 3>::Zero();  // per unit of gravity along each axis
+  Vector jolt_ = Vector::Zero(), direction_ = Vector::Zero();
+  double noise_ = 1;
   int things_ = 0;
   Cause cause_ = kMove;
   double since_ = 1;  // what was going on last [s]
@@ -284,13 +408,16 @@ double resident() {
 int run(Arguments& arguments) {
   const double minutes = arguments.number("--minutes").value_or(10);
   const std::size_t seed = arguments.whole("--seed", 0).value_or(1);
+  Options options;
+  options.hard = arguments.flag("--hard");
+  options.friction = arguments.flag("--friction");
   arguments.finish();
   if (!(minutes > 0)) throw ArgumentError("--minutes: must be above 0");
   std::printf("seed %zu; how often something happened, and what was believed afterwards was wrong\n%8s", seed,
               "minutes");
   for (const char* name : kCauseNames) std::printf(" %13s", name);
   std::printf(" %7s %8s %6s %8s %8s %6s %7s\n", "ghosts", "carried", "lag g", "error g", "drift g", "alloc", "RSS MB");
-  Soak soak(seed);
+  Soak soak(seed, options);
   const int parts = std::max(2, static_cast<int>(std::lround(minutes / 60)));
   const double first = soak.reference();
   bool seen = first > 0;
@@ -328,13 +455,16 @@ int run(Arguments& arguments) {
   expect(c.wrong[kAttach] == 0, "attached objects were not found, or weighed wrongly");
   expect(c.wrong[kRemoval] == 0, "removals were not noticed");
   expect(c.wrong[kPour] == 0 && c.lag < kLag, "what was poured was not followed");
+  expect(c.wrong[kTakeUp] == 0, "what was taken up little by little was not found, or weighed wrongly");
   expect(c.wrong[kMove] == 0, "motion was taken for a payload");
+  expect(c.wrong[kRest] == 0, "a payload at rest was lost, or one was found");
+  expect(at_most(c.wrong[kJolt], kExcused, c.happened[kJolt]), "jolts left something behind");
   expect(at_most(c.wrong[kPush], kExcused, c.happened[kPush]), "pushes left something behind");
   expect(at_most(c.carried, kTaken, c.happened[kPush]), "pushes were carried as payload");
   expect(at_most(c.wrong[kFault], kExcused, c.happened[kFault]), "faults did harm");
   expect(c.bad_torques == 0, "torques were not finite");
   expect(seen, "the event without noise was not seen for what it is");
-  expect(drift <= kDrift, "the estimate of the event without noise has moved");
+  expect(options.hard || options.friction || drift <= kDrift, "the estimate of the event without noise has moved");
   expect(allocated == 0, "memory was allocated");
   return failures == 0 ? 0 : 1;
 }

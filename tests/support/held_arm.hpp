@@ -36,13 +36,20 @@ class HeldArm {
     step_ = kPeriod / seconds;
   }
   bool moving() const { return progress_ < 1; }
+  /// Of the torque of payload and push: 1 is right.
+  void set_gain(const Vector& gain) { gain_ = gain; }
+  /// The gravity that pulls at the payload, world axes [m/s^2].
+  void set_gravity(const Eigen::Vector3d& gravity) { gravity_ = gravity; }
+  /// What else tau_ext shows, before the observer: friction, jolts, errors of the arm's model [N m].
+  void set_joint_torque(const Vector& torque) { joint_torque_ = torque; }
   /// Of the sensors' noise: 1 is the typical one.
   void set_noise(double factor) { noise_ = factor; }
 
   /// Advances by one period.
   const Proprioception<double, 7>& tick() {
     Vector tau = moving() ? advance() : torque(payload_);
-    tau += sample_.jacobian.transpose() * push_.vector() + offset_;
+    tau += sample_.jacobian.transpose() * push_.vector();
+    tau = tau.cwiseProduct(gain_) + joint_torque_ + offset_;
     if (noise_ > 0)
       for (int j = 0; j < 7; ++j) tau[j] += noise_ * model_.typical_noise[j] * normal_(random_);
     sample_.tau_ext += 50 * kPeriod * (tau - sample_.tau_ext);
@@ -51,8 +58,7 @@ class HeldArm {
 
   /// The joint torque of a payload here, at rest [N m].
   Vector torque(const Payload<double>& payload) const {
-    return sample_.jacobian.transpose() *
-           payload_wrench<double>(payload, sample_.rotation, model_.gravity_vector).vector();
+    return sample_.jacobian.transpose() * payload_wrench<double>(payload, sample_.rotation, gravity_).vector();
   }
   const Vector& pose() const { return q_; }
 
@@ -75,14 +81,15 @@ class HeldArm {
     const Eigen::Vector3d omega = twist.angular, alpha = (omega - last.angular) / kPeriod;
     const Eigen::Vector3d p = sample_.rotation * payload_.com;
     const Eigen::Vector3d a_p = (twist.linear - last.linear) / kPeriod + alpha.cross(p) + omega.cross(omega.cross(p));
-    const Eigen::Vector3d force = payload_.mass * (model_.gravity_vector - a_p);
+    const Eigen::Vector3d force = payload_.mass * (gravity_ - a_p);
     return sample_.jacobian.transpose() * Wrench<double>{force, p.cross(force)}.vector();
   }
 
   const examples::ArmModel<7>& model_ = examples::panda();
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
-  Vector offset_;
+  Vector offset_, gain_ = Vector::Ones(), joint_torque_ = Vector::Zero();
+  Eigen::Vector3d gravity_ = model_.gravity_vector;
   double noise_ = 1;
   Payload<double> payload_;
   Wrench<double> push_;

@@ -106,6 +106,19 @@ class JointTorqueModel {
     for (auto& s : shift) s *= mass;
     star.suppose_payload(detail::scaled(mass, along), shift);
   }
+  /// Standard deviation of the relative error of a torque sensor's gain.
+  static constexpr Scalar gain_error() noexcept { return Scalar(kGain); }
+  /// A payload has been picked up: an error of the torque's gain shows as an offset while it is held.
+  /// @param star  state
+  /// @param held  its phi
+  void widen_gains(Star& star, const InertialVector<Scalar>& held) const noexcept {
+    for (int j = 0; j < Dofs; ++j) {
+      Scalar torque = Scalar(0);
+      for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * held[i];
+      const Scalar off = Scalar(kGain) * torque;
+      star.joint(j).covariance(kOffset, kOffset) += off * off;
+    }
+  }
   /// A payload has been removed. While it was held, an error of the torque's gain was taken for offset.
   /// @param star  state
   /// @param held  its phi

@@ -79,6 +79,7 @@ class StoryFilter {
         Tale& drawn = children.drawn();
         drawn.star = child.star;
         drawn.mode = Mode::Held;
+        drawn.gains_off = child.gains_off;
         draw(drawn, children.first(), out);
         decide(child, drawn.star);
         return update(drawn, out) + log_plausible(drawn.star, kLightest);
@@ -135,6 +136,10 @@ class StoryFilter {
       begin_swing(child, child.star, false);
       child.swing.predict(child.star, duration);
     }
+    if (transition.gains) {
+      child.gains_off = true;
+      model_.widen_gains(child.star, child.star.payload_mean());
+    }
     child.held_for += duration;
     log_likelihood += update(child, out);
     decide(child, child.star);
@@ -175,7 +180,17 @@ class StoryFilter {
     wrench.disturbance.predict(parent.how, model_.block().elapsed(), rated_);
     Scalar log_likelihood =
         wrench.disturbance.observe(model_, wrench.star, parent.how, log_jolt(), rated_, out.squared);
-    log_likelihood += wrench.disturbance.weigh(model_, child.star, payload_, rated_);
+    const auto weigh = [&](bool gains_off) {
+      return wrench.disturbance.weigh(model_, child.star, payload_, rated_,
+                                      gains_off ? Model::gain_error() : Scalar(0));
+    };
+    Scalar weighed = weigh(child.gains_off);
+    if (!child.gains_off) {
+      const Scalar off = weigh(true) + static_cast<Scalar>(std::log(Transitions::kGainsOff));
+      child.gains_off = off > weighed;
+      weighed = std::max(weighed, off);
+    }
+    log_likelihood += weighed;
     child.payload = child.take_next();
     child.held_for = Scalar(0);
     draw(child, children.first(), out);
@@ -204,6 +219,7 @@ class StoryFilter {
     const InertialVector<Scalar> mean = payload_.mean();
     const InertialMatrix<Scalar> factor = payload_.factor(square);
     child.star.draw_payload(mean, factor);
+    if (child.gains_off) model_.widen_gains(child.star, first.star.payload_mean());
     Scalar log_none = Scalar(0);
     InertialVector<Scalar> white;  // factor^-1 mean
     for (int i = 0; i < kInertial; ++i) {

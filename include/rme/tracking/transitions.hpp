@@ -20,6 +20,7 @@ struct Transition {
   bool late = false;                  ///< of such a payload: the change has shown that the observer is not as stated
   bool never = false;                 ///< of Mode::Empty: there has been no payload since this one was drawn
   bool swings = false;                ///< of Mode::Held: the payload swings
+  bool gains = false;                 ///< of Mode::Held: what is held has shown that the torque's gains are off
   bool turned = false;                ///< of such a payload: the wrench that acted has been its weight all along
 };
 
@@ -45,13 +46,14 @@ struct Transitions {
   static constexpr double kOther = 0.02;        ///< a wrench trembles like a hand's from now on
   static constexpr double kSoftOther = 0.005;   ///< a wrench grows along itself, or stays as it is, from now on
   static constexpr double kTurnsOut = 0.01;     ///< a disturbance turns out to be a change, or the other way round
+  static constexpr double kGainsOff = 0.01;     ///< what is held shows that the torque's gains are off
   static constexpr double kIsLate = 0.01;       ///< a change shows that the observer is not as stated
   /// Standard deviation of the lag then, in time constants of the stated observer. One that is in truth half or twice as
   /// fast has a lag of 1 or -0.5.
   static constexpr double kLate = 0.5;
   static constexpr int kSlow = 10;  ///< blocks from one pour that begins to the next
   static constexpr int kSoon = 5;   ///< blocks from one pour that ends, or wrench that turns out a weight, to the next
-  static constexpr int kMost = 11;  ///< most transitions of one story
+  static constexpr int kMost = 12;  ///< most transitions of one story
 
   /// Calls use(transition) for each transition of a story.
   /// @param story      the parent
@@ -101,11 +103,19 @@ struct Transitions {
         const double at_once = kAtOnce * change;
         const double never = !empty && story.log_none ? at_once : 0;
         const bool swings = story.star.swings();
+        const double gains = !empty && !story.gains_off && kind.draws ? kGainsOff : 0;
         const double turns = empty ? 0 : swings ? kSwingEnds : kSwings * kind.faint;
-        goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up - turns);
+        goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up - turns -
+                gains);
         if (turns > 0 && (swings ? soon : !explained)) {
           Transition t = to(Mode::Held, swings ? turns * kSoon : turns);
           t.swings = !swings;
+          use(t);
+        }
+        if (gains > 0 && !explained) {
+          Transition t = to(Mode::Held, gains);
+          t.swings = swings;
+          t.gains = true;
           use(t);
         }
         if (takes_up > 0) {
