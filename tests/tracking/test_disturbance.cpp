@@ -316,7 +316,7 @@ TEST_CASE("Disturbance: a wrench turns out a payload by the ratio of two dense G
     const Matrix with_payload = oracle::congruence(Y, oracle::square(L)) + error, with_any = W + error;
     const double expected =
         oracle::log_normal(z - oracle::product(Y, change), with_payload) - oracle::log_normal(z, with_any);
-    CHECK(disturbance.weigh(model, star, prior, kRated) == Approx(expected).epsilon(1e-3).margin(1e-3));
+    CHECK(disturbance.weigh(model, star, prior, kRated, 0) == Approx(expected).epsilon(1e-3).margin(1e-3));
   }
 }
 

@@ -184,13 +184,11 @@ class StoryFilter {
       return wrench.disturbance.weigh(model_, child.star, payload_, rated_,
                                       gains_off ? Model::gain_error() : Scalar(0));
     };
-    Scalar weighed = weigh(child.gains_off);
-    if (!child.gains_off) {
-      const Scalar off = weigh(true) + static_cast<Scalar>(std::log(Transitions::kGainsOff));
-      child.gains_off = off > weighed;
-      weighed = std::max(weighed, off);
-    }
-    log_likelihood += weighed;
+    const Scalar stated = child.gains_off ? kNone : weigh(false);
+    const Scalar off =
+        weigh(true) + (child.gains_off ? Scalar(0) : static_cast<Scalar>(std::log(Transitions::kGainsOff)));
+    child.gains_off = off > stated;
+    log_likelihood += std::max(stated, off);
     child.payload = child.take_next();
     child.held_for = Scalar(0);
     draw(child, children.first(), out);

@@ -46,7 +46,7 @@ struct Transitions {
   static constexpr double kOther = 0.02;        ///< a wrench trembles like a hand's from now on
   static constexpr double kSoftOther = 0.005;   ///< a wrench grows along itself, or stays as it is, from now on
   static constexpr double kTurnsOut = 0.01;     ///< a disturbance turns out to be a change, or the other way round
-  static constexpr double kGainsOff = 0.01;     ///< what is held shows that the torque's gains are off
+  static constexpr double kGainsOff = 1e-3;     ///< what is held shows that the torque's gains are off
   static constexpr double kIsLate = 0.01;       ///< a change shows that the observer is not as stated
   /// Standard deviation of the lag then, in time constants of the stated observer. One that is in truth half or twice as
   /// fast has a lag of 1 or -0.5.
