@@ -66,14 +66,19 @@ class EnumeratedStories {
     const double c = kind.change;
     const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false,
                            bool quick = false, bool late = false, bool turned = false, bool never = false,
-                           bool swings = false, bool gains = false) {
+                           bool swings = false, bool gains = false, bool exact = false) {
       const bool same = mode == p.mode && !anew && !gains && (mode != Mode::Disturbed || how == p.how) &&
                         (mode != Mode::Pouring || quick == p.quick) && swings == p.star.swings();
       if (same == goes_on && probability > 0)
-        add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, gains, std::log(probability)));
+        add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, gains, exact,
+                    std::log(probability)));
     };
     const auto drawn = [&](double probability, bool late) {
       const double hangs = p.mode == Mode::Held ? 0 : Transitions::kHangs * kind.faint;
+      if (p.gains_off) {
+        child(Mode::Held, probability * 0.1, Disturbing::Hand, true, false, late, false, false, false, false, true);
+        probability *= 0.9;
+      }
       child(Mode::Held, probability * (1 - hangs), Disturbing::Hand, true, false, late);
       child(Mode::Held, probability * hangs, Disturbing::Hand, true, false, late, false, false, true);
     };
@@ -142,7 +147,7 @@ class EnumeratedStories {
   }
 
   Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, bool quick, bool late,
-               bool turned, bool never, bool swings, bool gains, double log_transition) {
+               bool turned, bool never, bool swings, bool gains, bool exact, double log_transition) {
     Tale child = parent;
     child.mode = mode;
     child.how = how;
@@ -150,6 +155,7 @@ class EnumeratedStories {
     model.predict(child.star);
     if (!swings) child.star.end_swing();
     if (parent.mode == Mode::Pouring && mode != Mode::Pouring) child.star.end_pour();
+    if (exact) child.gains_off = false;
     if (gains) {
       child.gains_off = true;
       model.widen_gains(child.star, child.star.payload_mean());

@@ -124,6 +124,7 @@ class StoryFilter {
         lag[kLag] = Scalar(Transitions::kLate * Transitions::kLate);
         child.star.widen_arm(lag);
       }
+      if (transition.exact) child.gains_off = false;
       child.payload = child.take_next();
       child.log_plausible = Scalar(0);
       child.held_for = Scalar(0);
