@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "io/json_file.hpp"
 #include "io/program.hpp"
-#include "json_file.hpp"
 
 namespace {
 
