@@ -66,19 +66,14 @@ class EnumeratedStories {
     const double c = kind.change;
     const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false,
                            bool quick = false, bool late = false, bool turned = false, bool never = false,
-                           bool swings = false, bool gains = false, bool exact = false) {
-      const bool same = mode == p.mode && !anew && !gains && (mode != Mode::Disturbed || how == p.how) &&
+                           bool swings = false) {
+      const bool same = mode == p.mode && !anew && (mode != Mode::Disturbed || how == p.how) &&
                         (mode != Mode::Pouring || quick == p.quick) && swings == p.star.swings();
       if (same == goes_on && probability > 0)
-        add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, gains, exact,
-                    std::log(probability)));
+        add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, std::log(probability)));
     };
     const auto drawn = [&](double probability, bool late) {
       const double hangs = p.mode == Mode::Held ? 0 : Transitions::kHangs * kind.faint;
-      if (p.gains_off) {
-        child(Mode::Held, probability * 0.1, Disturbing::Hand, true, false, late, false, false, false, false, true);
-        probability *= 0.9;
-      }
       child(Mode::Held, probability * (1 - hangs), Disturbing::Hand, true, false, late);
       child(Mode::Held, probability * hangs, Disturbing::Hand, true, false, late, false, false, true);
     };
@@ -93,16 +88,14 @@ class EnumeratedStories {
       const double turns = p.mode == Mode::Empty ? 0
                            : swings              ? Transitions::kSwingEnds
                                                  : Transitions::kSwings * kind.faint;
-      const double gains = p.mode == Mode::Held && !p.gains_off && kind.draws ? Transitions::kGainsOff : 0;
       child(p.mode,
-            1 - gains - (p.mode == Mode::Held ? 1.6 : 1.3) * c - never - Transitions::kDisturbs - kind.jolt - pours -
-                turns - (p.mode == Mode::Empty ? kind.takes_up : 0),
+            1 - (p.mode == Mode::Held ? 1.6 : 1.3) * c - never - Transitions::kDisturbs - kind.jolt - pours - turns -
+                (p.mode == Mode::Empty ? kind.takes_up : 0),
             Disturbing::Hand, false, false, false, false, false, swings);
       if (!swings)
         child(Mode::Held, turns, Disturbing::Hand, false, false, false, false, false, true);
       else if (blocks_ % Transitions::kSoon == 0)
         child(Mode::Held, turns * Transitions::kSoon);
-      child(Mode::Held, gains, Disturbing::Hand, false, false, false, false, false, swings, true);
       child(Mode::Changing, c);
       drawn(0.3 * c, false);
       if (p.mode == Mode::Held) child(Mode::Empty, 0.3 * c);
@@ -147,7 +140,7 @@ class EnumeratedStories {
   }
 
   Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, bool quick, bool late,
-               bool turned, bool never, bool swings, bool gains, bool exact, double log_transition) {
+               bool turned, bool never, bool swings, double log_transition) {
     Tale child = parent;
     child.mode = mode;
     child.how = how;
@@ -155,11 +148,6 @@ class EnumeratedStories {
     model.predict(child.star);
     if (!swings) child.star.end_swing();
     if (parent.mode == Mode::Pouring && mode != Mode::Pouring) child.star.end_pour();
-    if (exact) child.gains_off = false;
-    if (gains) {
-      child.gains_off = true;
-      model.widen_gains(child.star, child.star.payload_mean());
-    }
     child.log_weight += log_transition + (turned  ? turn(model, parent, child)
                                           : never ? nothing(model, child)
                                                   : likelihood(model, parent, child, anew, late, swings));
@@ -179,18 +167,11 @@ class EnumeratedStories {
     auto wrench = parent.disturbance;
     double squared;
     wrench.predict(parent.how, model.block().duration, rated_);
-    double out = wrench.observe(model, star, parent.how, std::log(model.kind().jolt), rated_, squared);
-    const double stated = wrench.weigh(model, child.star, prior_, rated_, 0);
-    const double off = wrench.weigh(model, child.star, prior_, rated_, 0.02);
-    if (child.gains_off) {
-      out += off;
-    } else {
-      child.gains_off = off + std::log(Transitions::kGainsOff) > stated;
-      out += std::max(stated, off + std::log(Transitions::kGainsOff));
-    }
+    const double out = wrench.observe(model, star, parent.how, std::log(model.kind().jolt), rated_, squared) +
+                       wrench.weigh(model, child.star, prior_, rated_);
     child.payload = child.next++;
     child.held_for = 0;
-    draw(model, child.star, child.gains_off);
+    draw(model, child.star);
     child.log_plausible = plausible(child.star);
     child.log_none.reset();
     return out + child.log_plausible;
@@ -207,7 +188,7 @@ class EnumeratedStories {
     }
     if (child.mode == Mode::Changing) {
       auto star = child.star;
-      if (model.kind().draws) return draw(model, star, child.gains_off) + plausible(star);
+      if (model.kind().draws) return draw(model, star) + plausible(star);
       Disturbance<double, Dofs> anything;
       anything.begin(rated_);
       return anything.observe(model, star, Disturbing::Hand, -std::numeric_limits<double>::infinity(), rated_, squared);
@@ -230,7 +211,7 @@ class EnumeratedStories {
         child.star.widen_arm(wider);
       }
       child.held_for = 0;
-      out = draw(model, child.star, child.gains_off, &child.log_none, swings ? &child : nullptr);
+      out = draw(model, child.star, &child.log_none, swings ? &child : nullptr);
     } else if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
         if (child.payload == 0) model.suppose_hidden(child.star, prior_.com_mean);
@@ -264,15 +245,14 @@ class EnumeratedStories {
     return 9.81 * std::clamp(star.mass(), 0.02 * rated_, rated_);
   }
   /// A new payload; its prior is for the mass that this block shows. If a story is given, it swings.
-  double draw(const Model& model, StarGaussian<double, Dofs>& star, bool gains_off,
-              std::optional<double>* log_none = nullptr, Tale* swinging = nullptr) {
+  double draw(const Model& model, StarGaussian<double, Dofs>& star, std::optional<double>* log_none = nullptr,
+              Tale* swinging = nullptr) {
     star.draw_payload(prior_.mean(), prior_.factor(prior_.square_mass()));
     auto shown = star;
     observe(model, shown, nullptr);
     const double mass = std::clamp(shown.mass(), 0.02 * rated_, rated_);
     const oracle::Matrix factor = prior_.factor(mass * mass + shown.mass_variance());
     star.draw_payload(prior_.mean(), factor);
-    if (gains_off) model.widen_gains(star, shown.payload_mean());
     if (log_none != nullptr) *log_none = oracle::log_normal(prior_.mean(), oracle::square(factor));
     if (swinging != nullptr) {
       swinging->swing.begin(star, weight(shown), true);

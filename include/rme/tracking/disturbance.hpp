@@ -128,9 +128,7 @@ class Disturbance {
   /// @param star     state; its errors, and those of its payload, are errors of the wrench as well
   /// @param payload  what may be held
   /// @param rated    rated payload [kg]
-  /// @param gain     standard deviation of the relative errors of the joints' torque
-  Scalar weigh(const Model& model, const Star& star, const PayloadPrior<Scalar>& payload, Scalar rated,
-               Scalar gain) const noexcept {
+  Scalar weigh(const Model& model, const Star& star, const PayloadPrior<Scalar>& payload, Scalar rated) const noexcept {
     using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
     constexpr auto kNone = -std::numeric_limits<Scalar>::infinity();
     const Cholesky<Scalar, 6> known(covariance_), unknown(prior_);
@@ -141,7 +139,7 @@ class Disturbance {
     shown -= none;
     Vector6<Scalar> shown_mean = known.solve(mean_);
     // It cannot be more than one block shows, however many there were: the arm's errors are the same in all of them.
-    const Matrix6 once = information(model, star, gain);
+    const Matrix6 once = information(model, star);
     Matrix6 sum = shown;
     sum += once;
     detail::add_scaled(sum, Scalar(1e-6), none);
@@ -285,19 +283,15 @@ class Disturbance {
     return (mean_[0] * g[0] + mean_[1] * g[1] + mean_[2] * g[2]) / detail::dot(g, g);
   }
   /// Inverse covariance of the wrench that one block shows, given what is known of the arm.
-  Eigen::Matrix<Scalar, 6, 6> information(const Model& model, const Star& star, Scalar gain) const noexcept {
+  static Eigen::Matrix<Scalar, 6, 6> information(const Model& model, const Star& star) noexcept {
     Eigen::Matrix<Scalar, Dofs, kShared> spread;
     Eigen::Matrix<Scalar, Dofs, 6> transposed;
     std::array<Scalar, static_cast<std::size_t>(Dofs)> own;
     for (int j = 0; j < Dofs; ++j) {
       const auto p = star.predict(j, model.observation(j, star.mass()));
       for (int i = 0; i < kShared; ++i) spread(j, i) = p.spread[i];
-      Scalar torque = Scalar(0);
-      for (int i = 0; i < 6; ++i) {
-        transposed(j, i) = model.block().jacobian(i, j);
-        torque += transposed(j, i) * mean_[i];
-      }
-      own[static_cast<std::size_t>(j)] = p.given_shared + gain * gain * torque * torque;
+      for (int i = 0; i < 6; ++i) transposed(j, i) = model.block().jacobian(i, j);
+      own[static_cast<std::size_t>(j)] = p.given_shared;
     }
     Eigen::Matrix<Scalar, Dofs, Dofs> total = detail::outer_square(spread);
     for (int j = 0; j < Dofs; ++j) total(j, j) += own[static_cast<std::size_t>(j)];

@@ -106,18 +106,17 @@ class JointTorqueModel {
     for (auto& s : shift) s *= mass;
     star.suppose_payload(detail::scaled(mass, along), shift);
   }
-  /// Standard deviation of the relative error of a torque sensor's gain, where gains are off.
-  static constexpr Scalar gain_error() noexcept { return Scalar(kGain); }
-  /// The gains are off: while a payload is held in this pose, that shows as an offset in proportion to its torque.
-  /// @param star  state
-  /// @param held  phi of the payload
-  void widen_gains(Star& star, const InertialVector<Scalar>& held) const noexcept {
-    add_gain_errors(star, held, false);
-  }
   /// A payload has been removed. While it was held, an error of the torque's gain was taken for offset.
   /// @param star  state
   /// @param held  its phi
-  void unload(Star& star, const InertialVector<Scalar>& held) const noexcept { add_gain_errors(star, held, true); }
+  void unload(Star& star, const InertialVector<Scalar>& held) const noexcept {
+    for (int j = 0; j < Dofs; ++j) {
+      Scalar torque = Scalar(0);
+      for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * held[i];
+      const Scalar off = std::min(Scalar(kGain) * std::abs(torque), arm_.offset[j]);
+      star.joint(j).covariance(kOffset, kOffset) += off * off;
+    }
+  }
   /// The measurement of joint j in this block.
   /// @param j       0 .. Dofs - 1
   /// @param mass    mass of the payload [kg]; the noise of dq makes a noise of its inertia force
@@ -169,16 +168,6 @@ class JointTorqueModel {
   static constexpr double kTiltSpread = 0.02;  // of gravity's direction [rad]
   static constexpr double kJump = 6.25;        // variance of a jump of the stiction, in stiction variances
 
-  /// @param bounded  by the offsets' prior
-  void add_gain_errors(Star& star, const InertialVector<Scalar>& held, bool bounded) const noexcept {
-    for (int j = 0; j < Dofs; ++j) {
-      Scalar torque = Scalar(0);
-      for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * held[i];
-      Scalar off = Scalar(kGain) * std::abs(torque);
-      if (bounded) off = std::min(off, arm_.offset[j]);
-      star.joint(j).covariance(kOffset, kOffset) += off * off;
-    }
-  }
   /// One step of a first-order autoregressive process: nuisance n of joint j is multiplied by `keep`, and noise is
   /// added such that its stationary variance is `variance`.
   static void renew(Star& star, int j, Nuisance n, Scalar keep, Scalar variance) noexcept {

@@ -25,7 +25,6 @@ struct Story {
   bool quick = false;                     ///< of Mode::Pouring: it is taken up quickly
   int payload = 0;                        ///< which payload is held; 0 for none
   int next = 1;                           ///< name of the payload that will be held next
-  bool gains_off = false;                 ///< the gains of the arm's torque are not quite as stated
   Scalar held_for = Scalar(0);            ///< since the payload was drawn, disturbed blocks left out [s]
   Scalar log_weight = Scalar(0);          ///< log probability
   Scalar log_plausible = Scalar(0);       ///< log probability that the mass is plausible, as counted so far
@@ -35,8 +34,7 @@ struct Story {
   /// Whether both say the same of the present. They may differ in when it began.
   bool same(const Story& other) const noexcept {
     return mode == other.mode && payload == other.payload && (mode != Mode::Disturbed || how == other.how) &&
-           (mode != Mode::Pouring || quick == other.quick) && star.swings() == other.star.swings() &&
-           gains_off == other.gains_off;
+           (mode != Mode::Pouring || quick == other.quick) && star.swings() == other.star.swings();
   }
   /// The name of a payload that is held from now on.
   int take_next() noexcept { return next++; }

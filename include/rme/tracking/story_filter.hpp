@@ -79,7 +79,6 @@ class StoryFilter {
         Tale& drawn = children.drawn();
         drawn.star = child.star;
         drawn.mode = Mode::Held;
-        drawn.gains_off = child.gains_off;
         draw(drawn, children.first(), out);
         decide(child, drawn.star);
         return update(drawn, out) + log_plausible(drawn.star, kLightest);
@@ -124,7 +123,6 @@ class StoryFilter {
         lag[kLag] = Scalar(Transitions::kLate * Transitions::kLate);
         child.star.widen_arm(lag);
       }
-      if (transition.exact) child.gains_off = false;
       child.payload = child.take_next();
       child.log_plausible = Scalar(0);
       child.held_for = Scalar(0);
@@ -136,10 +134,6 @@ class StoryFilter {
       child.star.widen_payload(Swing<Scalar, Dofs>::hidden(child.held_for));
       begin_swing(child, child.star, false);
       child.swing.predict(child.star, duration);
-    }
-    if (transition.gains) {
-      child.gains_off = true;
-      model_.widen_gains(child.star, child.star.payload_mean());
     }
     child.held_for += duration;
     log_likelihood += update(child, out);
@@ -181,15 +175,7 @@ class StoryFilter {
     wrench.disturbance.predict(parent.how, model_.block().elapsed(), rated_);
     Scalar log_likelihood =
         wrench.disturbance.observe(model_, wrench.star, parent.how, log_jolt(), rated_, out.squared);
-    const auto weigh = [&](bool gains_off) {
-      return wrench.disturbance.weigh(model_, child.star, payload_, rated_,
-                                      gains_off ? Model::gain_error() : Scalar(0));
-    };
-    const Scalar stated = child.gains_off ? kNone : weigh(false);
-    const Scalar off =
-        weigh(true) + (child.gains_off ? Scalar(0) : static_cast<Scalar>(std::log(Transitions::kGainsOff)));
-    child.gains_off = off > stated;
-    log_likelihood += std::max(stated, off);
+    log_likelihood += wrench.disturbance.weigh(model_, child.star, payload_, rated_);
     child.payload = child.take_next();
     child.held_for = Scalar(0);
     draw(child, children.first(), out);
@@ -218,7 +204,6 @@ class StoryFilter {
     const InertialVector<Scalar> mean = payload_.mean();
     const InertialMatrix<Scalar> factor = payload_.factor(square);
     child.star.draw_payload(mean, factor);
-    if (child.gains_off) model_.widen_gains(child.star, first.star.payload_mean());
     Scalar log_none = Scalar(0);
     InertialVector<Scalar> white;  // factor^-1 mean
     for (int i = 0; i < kInertial; ++i) {

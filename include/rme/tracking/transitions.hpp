@@ -20,8 +20,6 @@ struct Transition {
   bool late = false;                  ///< of such a payload: the change has shown that the observer is not as stated
   bool never = false;                 ///< of Mode::Empty: there has been no payload since this one was drawn
   bool swings = false;                ///< of Mode::Held: the payload swings
-  bool gains = false;                 ///< of Mode::Held: what is held has shown that the torque's gains are off
-  bool exact = false;                 ///< of such a payload: the torque's gains are as stated, though that was in doubt
   bool turned = false;                ///< of such a payload: the wrench that acted has been its weight all along
 };
 
@@ -47,16 +45,13 @@ struct Transitions {
   static constexpr double kOther = 0.02;        ///< a wrench trembles like a hand's from now on
   static constexpr double kSoftOther = 0.005;   ///< a wrench grows along itself, or stays as it is, from now on
   static constexpr double kTurnsOut = 0.01;     ///< a disturbance turns out to be a change, or the other way round
-  static constexpr double kGainsOff = 1e-3;     ///< what is held shows that the torque's gains are off
-  static constexpr double kGainsRight =
-      0.1;                                 ///< a payload that is drawn shows that they are right, if that was in doubt
-  static constexpr double kIsLate = 0.01;  ///< a change shows that the observer is not as stated
+  static constexpr double kIsLate = 0.01;       ///< a change shows that the observer is not as stated
   /// Standard deviation of the lag then, in time constants of the stated observer. One that is in truth half or twice as
   /// fast has a lag of 1 or -0.5.
   static constexpr double kLate = 0.5;
   static constexpr int kSlow = 10;  ///< blocks from one pour that begins to the next
   static constexpr int kSoon = 5;   ///< blocks from one pour that ends, or wrench that turns out a weight, to the next
-  static constexpr int kMost = 13;  ///< most transitions of one story
+  static constexpr int kMost = 11;  ///< most transitions of one story
 
   /// Calls use(transition) for each transition of a story.
   /// @param story      the parent
@@ -89,13 +84,6 @@ struct Transitions {
       use(t);
     };
     const auto drawn = [&](double probability, double hangs, bool late) {  // it swings from the start, or it does not
-      if (story.gains_off) {                                               // or it shows that the gains are right
-        Transition exact = to(Mode::Held, probability * kGainsRight);
-        exact.anew = exact.exact = true;
-        exact.late = late;
-        use(exact);
-        probability *= 1 - kGainsRight;
-      }
       Transition t = to(Mode::Held, probability * (1 - hangs));
       t.anew = true;
       t.late = late;
@@ -113,19 +101,11 @@ struct Transitions {
         const double at_once = kAtOnce * change;
         const double never = !empty && story.log_none ? at_once : 0;
         const bool swings = story.star.swings();
-        const double gains = !empty && !story.gains_off && kind.draws ? kGainsOff : 0;
         const double turns = empty ? 0 : swings ? kSwingEnds : kSwings * kind.faint;
-        goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up - turns -
-                gains);
+        goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up - turns);
         if (turns > 0 && (swings ? soon : !explained)) {
           Transition t = to(Mode::Held, swings ? turns * kSoon : turns);
           t.swings = !swings;
-          use(t);
-        }
-        if (gains > 0 && !explained) {
-          Transition t = to(Mode::Held, gains);
-          t.swings = swings;
-          t.gains = true;
           use(t);
         }
         if (takes_up > 0) {
