@@ -53,13 +53,18 @@ inline Model& buildModelFromXML(const std::string& xml_stream, Model& model, boo
   if (xml_stream.find("<robot") == std::string::npos)
     throw std::invalid_argument("the XML stream does not contain a valid URDF model");
   const auto has = [&](const std::string& text) { return xml_stream.find(text) != std::string::npos; };
+  const auto massless = [&](std::size_t j) {  // the link of a Panda's joint j; or all of another arm
+    if (has("<link") && !has("<inertial>")) return true;
+    const std::size_t from = xml_stream.find("<link name=\"panda_link" + std::to_string(j + 1) + "\">");
+    return from != std::string::npos && xml_stream.find("<inertial>", from) > xml_stream.find("</link>", from);
+  };
   const stand_in::Robot robot = stand_in::robot_of(xml_stream);
   model.arm = robot.arm;
   model.arm.name.clear();  // so that a copy allocates nothing
   for (std::size_t j = 0; j < robot.joints.size(); ++j)
     model.append(robot.joints[j],
                  has("\"" + robot.joints[j] + "\" type=\"continuous\"") ? 2 : 1,  // cosine and sine
-                 has("<link") && !has("<inertial>") ? 0 : model.arm.links.at(j).body.mass);
+                 massless(j) ? 0 : model.arm.links.at(j).body.mass);
   for (int j = 1; j <= 2; ++j)
     if (const std::string name = "panda_finger_joint" + std::to_string(j); has(name)) model.append(name, 1, 0.01);
   const rme::examples::Link& idle = model.arm.links[6];
