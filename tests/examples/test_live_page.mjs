@@ -26,6 +26,7 @@ const browser = await chromium.launch({executablePath: process.env.CHROMIUM, arg
 const complaints = [];
 async function open(width, height, url = address) {
   const page = await browser.newPage({viewport: {width, height}});
+  page.setDefaultTimeout(240000);  // a busy machine takes longer than Playwright's 30 s to prepare the second module
   page.on('pageerror', (error) => complaints.push(error.message));
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
   const own = [new URL('.', url).href, 'data:', 'blob:'];
