@@ -68,11 +68,10 @@ class Disturbance {
     JointVector<Scalar, Dofs> e;
     Eigen::Matrix<Scalar, Dofs, kShared> spread;
     std::array<typename Star::Prediction, static_cast<std::size_t>(Dofs)> predictions;
-    // A wrench that is a weight has the noise of its inertia: otherwise noise of dq alone would decide between both.
-    const Scalar mass = std::max(Scalar(0), star.mass() + weighs(model));
+    const Load<Scalar, Dofs> load = this->load(model, star);
     for (int j = 0; j < Dofs; ++j) {
       auto& p = predictions[static_cast<std::size_t>(j)];
-      p = star.predict(j, model.observation(j, mass));
+      p = star.predict(j, model.observation(j, load));
       squared += p.innovation * p.innovation / p.variance;
       e[j] = p.innovation;
       // An error of the payload is the same in all blocks, and the wrench takes it in the first. Counted in each, it would
@@ -282,13 +281,23 @@ class Disturbance {
     const Vector3<Scalar>& g = model.gravity();
     return (mean_[0] * g[0] + mean_[1] * g[1] + mean_[2] * g[2]) / detail::dot(g, g);
   }
+  /// What the joints bear, the wrench included. One that is a weight has the noise of its inertia, and the errors of the
+  /// gains: otherwise these alone would decide between both.
+  Load<Scalar, Dofs> load(const Model& model, const Star& star) const noexcept {
+    Load<Scalar, Dofs> out = model.load(star);
+    out.mass = std::max(Scalar(0), star.mass() + weighs(model));
+    out.torque += detail::transposed_product(model.block().jacobian, mean_);
+    return out;
+  }
   /// Inverse covariance of the wrench that one block shows, given what is known of the arm.
-  static Eigen::Matrix<Scalar, 6, 6> information(const Model& model, const Star& star) noexcept {
+  Eigen::Matrix<Scalar, 6, 6> information(const Model& model, const Star& star) const noexcept {
     Eigen::Matrix<Scalar, Dofs, kShared> spread;
     Eigen::Matrix<Scalar, Dofs, 6> transposed;
     std::array<Scalar, static_cast<std::size_t>(Dofs)> own;
+    Load<Scalar, Dofs> load = this->load(model, star);
+    load.mass = star.mass();
     for (int j = 0; j < Dofs; ++j) {
-      const auto p = star.predict(j, model.observation(j, star.mass()));
+      const auto p = star.predict(j, model.observation(j, load));
       for (int i = 0; i < kShared; ++i) spread(j, i) = p.spread[i];
       for (int i = 0; i < 6; ++i) transposed(j, i) = model.block().jacobian(i, j);
       own[static_cast<std::size_t>(j)] = p.given_shared;

@@ -30,8 +30,9 @@ enum Nuisance : int {
   kViscous,   ///< viscous friction [N m s/rad]
   kResidual,  ///< error of the arm's rigid-body model; changes as the arm moves [N m]
   kStiction,  ///< friction torque of a resting joint [N m]
+  kGain,      ///< relative error of the torque, of what the payload makes of it (no unit)
 };
-inline constexpr int kJointNuisances = 5;  ///< number of nuisances of a joint
+inline constexpr int kJointNuisances = 6;  ///< number of nuisances of a joint
 
 template <typename Scalar>
 using JointNuisanceVector = Eigen::Matrix<Scalar, kJointNuisances, 1>;  ///< beta_j, in the order of Nuisance

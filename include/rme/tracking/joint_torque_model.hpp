@@ -14,12 +14,19 @@
 
 namespace rme {
 
+/// What the joints bear beside the arm itself.
+template <typename Scalar, int Dofs>
+struct Load {
+  Scalar mass = Scalar(0);                                               ///< of the payload [kg]
+  JointVector<Scalar, Dofs> torque = JointVector<Scalar, Dofs>::Zero();  ///< [N m]
+};
+
 /// Model of the joints' torque for one kind of torque sensing: the prior of what all joints share and of each joint's
 /// nuisances, their change from block to block, and their regressor in a block (docs/theory.md (T24)):
 ///
-///     tau_j = h_j^T x + offset - d coulomb - dq viscous + residual + s stiction + noise
+///     tau_j = h_j^T x + offset - d coulomb - dq viscous + residual + s stiction + gain load_j + noise
 ///
-/// with d the mean direction of motion and s the share of the block in which the joint rests. What a kind of sensing
+/// with d the mean direction of motion, s the share of the block in which the joint rests, and the load that it bears. What a kind of sensing
 /// does not see has no variance. Real time: nothing allocates.
 template <typename Scalar, int Dofs>
 class JointTorqueModel {
@@ -90,7 +97,7 @@ class JointTorqueModel {
     std::array<typename Star::Beta, static_cast<std::size_t>(Dofs)> shift;
     Scalar precision = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
-      const JointObservation<Scalar> o = observation(j, Scalar(0));
+      const JointObservation<Scalar> o = observation(j, Load<Scalar, Dofs>());
       Scalar torque = Scalar(0), able = Scalar(0);
       for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * along[i];
       auto& absorbed = shift[static_cast<std::size_t>(j)];
@@ -106,22 +113,19 @@ class JointTorqueModel {
     for (auto& s : shift) s *= mass;
     star.suppose_payload(detail::scaled(mass, along), shift);
   }
-  /// A payload has been removed. While it was held, an error of the torque's gain was taken for offset.
-  /// @param star  state
-  /// @param held  its phi
-  void unload(Star& star, const InertialVector<Scalar>& held) const noexcept {
-    for (int j = 0; j < Dofs; ++j) {
-      Scalar torque = Scalar(0);
-      for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * held[i];
-      const Scalar off = std::min(Scalar(kGain) * std::abs(torque), arm_.offset[j]);
-      star.joint(j).covariance(kOffset, kOffset) += off * off;
-    }
+  /// What the joints bear in this block if they hold what `star` says.
+  Load<Scalar, Dofs> load(const Star& star) const noexcept {
+    Load<Scalar, Dofs> out;
+    out.mass = std::min(std::max(star.mass(), Scalar(0)), rated_);
+    out.torque = JointVector<Scalar, Dofs>::Zero();
+    if (!star.empty()) out.torque = detail::product(block_.regressor, star.payload_mean());
+    return out;
   }
   /// The measurement of joint j in this block.
   /// @param j       0 .. Dofs - 1
-  /// @param mass    mass of the payload [kg]; the noise of dq makes a noise of its inertia force
+  /// @param load    about which the product of load and gain is linearised
   /// @param swings  whether the payload swings
-  JointObservation<Scalar> observation(int j, Scalar mass, bool swings = false) const noexcept;
+  JointObservation<Scalar> observation(int j, const Load<Scalar, Dofs>& load, bool swings = false) const noexcept;
   /// Variance that a jump of joint j's stiction would add in this block [(N m)^2]: a joint that rests while others move
   /// may come loose and stick again. 0 if the joint moves, if the whole arm rests, and if the torque shows no friction.
   /// @param star  has the joint's Coulomb friction
@@ -162,7 +166,6 @@ class JointTorqueModel {
 
  private:
   static constexpr double kStictionShare = 0.6;
-  static constexpr double kGain = 0.02;        // relative error of a torque sensor's gain
   static constexpr double kHidden = 3;         // standard deviations of all joints together that may hide a payload
   static constexpr double kToolArm = 0.1;      // spread of the tool error's first moment, per kg of its mass [m]
   static constexpr double kTiltSpread = 0.02;  // of gravity's direction [rad]
@@ -371,7 +374,8 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
 }
 
 template <typename Scalar, int Dofs>
-JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scalar mass, bool swings) const noexcept {
+JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, const Load<Scalar, Dofs>& load,
+                                                                     bool swings) const noexcept {
   using std::abs;
   JointObservation<Scalar> o;
   o.torque = block_.tau[j];
@@ -381,12 +385,12 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, Scal
   for (int i = 0; i < kInertial; ++i) o.h[kPayload + i] = block_.regressor(j, i);
   for (int i = 0; i < 4; ++i) o.h[kPoured + i] = swings ? Scalar(0) : block_.regressor(j, i);
   for (int i = 0; swings && i < 3; ++i) o.h[kSwing + i] = block_.jacobian(i, j);
-  o.noise = noise_.variance(j) + timing_noise_[j] + mass * mass * inertia_noise_[j];
+  o.noise = noise_.variance(j) + timing_noise_[j] + load.mass * load.mass * inertia_noise_[j];
   const JointFriction<Scalar>& friction = regime_.joint(j);
   const Scalar v = block_.velocity[j], slow = static_cast<Scalar>(kind_.slow);
   const Scalar d = slow > 0 ? v / (abs(v) + slow) : friction.direction;
   const Scalar rests = slow > 0 ? Scalar(1) - abs(d) : friction.resting;
-  o.c << 1, -d, -v, 1, rests;
+  o.c << 1, -d, -v, 1, rests, load.torque[j];
   o.noise += turn_variance(j, rests);
   // It is not known when in the block the joint started, stopped or turned back.
   if (!(slow > 0) && !friction.steady()) o.noise += Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];

@@ -31,9 +31,9 @@ class StarGaussian {
  public:
   using X = SharedVector<Scalar>;                                 ///< 21x1
   using XMatrix = SharedMatrix<Scalar>;                           ///< 21x21
-  using Beta = JointNuisanceVector<Scalar>;                       ///< 5x1
-  using BetaMatrix = JointNuisanceMatrix<Scalar>;                 ///< 5x5
-  using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 21x5
+  using Beta = JointNuisanceVector<Scalar>;                       ///< 6x1
+  using BetaMatrix = JointNuisanceMatrix<Scalar>;                 ///< 6x6
+  using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 21x6
   using Cross = Eigen::Matrix<Scalar, kShared, 4>;                ///< covariance of x and four other unknowns
   /// Gaussian of beta_j given x.
   struct Joint {
@@ -253,6 +253,17 @@ class StarGaussian {
         for (int n = 0; n < kJointNuisances; ++n) joint.slope(kPayload + i, n) -= joint.slope(kTool + i, n);
     }
     forget_payload();
+  }
+  /// Adds noise, independent from joint to joint, to nuisance n of each.
+  /// @param variance  of the noise, >= 0
+  void widen_nuisance(Nuisance n, Scalar variance) noexcept {
+    for (Joint& joint : joints_) joint.covariance(n, n) += variance;
+  }
+  /// Variance of nuisance n given x, mean over the joints.
+  Scalar nuisance_variance(Nuisance n) const noexcept {
+    Scalar sum = Scalar(0);
+    for (const Joint& joint : joints_) sum += joint.covariance(n, n);
+    return sum / Scalar(Dofs);
   }
   /// Adds independent noise to what belongs to the arm. Each beta_j keeps its moments with x as they were.
   /// @param variance  of the noise, in the order of Shared, >= 0

@@ -73,15 +73,15 @@ class StoryFilter {
         child.disturbance.predict(child.how, duration, rated_);
       return child.disturbance.observe(model_, child.star, child.how, log_jolt(), rated_, out.squared);
     }
-    if (transition.turned) return turn(child, parent, children, out);
+    if (transition.turned) return turn(child, parent, transition.gains, children, out);
     if (child.mode == Mode::Changing) {
       if (model_.kind().draws) {
         Tale& drawn = children.drawn();
         drawn.star = child.star;
         drawn.mode = Mode::Held;
-        draw(drawn, children.first(), out);
+        const auto load = draw(drawn, children.first(), out);
         decide(child, drawn.star);
-        return update(drawn, out) + log_plausible(drawn.star, kLightest);
+        return update(drawn, load, out) + log_plausible(drawn.star, kLightest);
       }
       Star star = child.star;
       Disturbance<Scalar, Dofs> anything;
@@ -98,13 +98,13 @@ class StoryFilter {
     }
     if (child.mode == Mode::Empty) {
       child.log_none.reset();
-      if (parent.payload != 0) model_.unload(child.star, parent.star.payload_mean());
       child.star.forget_payload();
       child.payload = 0;
       child.log_plausible = Scalar(0);
       return update(child, out);
     }
     Scalar log_likelihood = Scalar(0);
+    std::optional<Load<Scalar, Dofs>> load;  // if it differs from what the child says before the block
     if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
         if (child.payload == 0) model_.suppose_hidden(child.star, payload_.com_mean);
@@ -126,7 +126,8 @@ class StoryFilter {
       child.payload = child.take_next();
       child.log_plausible = Scalar(0);
       child.held_for = Scalar(0);
-      draw(child, children.first(), out);
+      if (transition.gains) widen_gains(child.star);
+      load = draw(child, children.first(), out);
       if (transition.swings) begin_swing(child, children.first().star, true);
     } else if (transition.swings && parent.star.swings()) {
       child.swing.predict(child.star, duration);
@@ -136,7 +137,7 @@ class StoryFilter {
       child.swing.predict(child.star, duration);
     }
     child.held_for += duration;
-    log_likelihood += update(child, out);
+    log_likelihood += load ? update(child, *load, out) : update(child, out);
     decide(child, child.star);
     if (transition.swings) child.swing.learn(child.star, duration, weight(child.star));
     // What is poured begins with nothing. It may be as light as it likes, but not lighter than that.
@@ -168,23 +169,27 @@ class StoryFilter {
   /// What was taken for a wrench has been a weight all along. The blocks since it began are as likely as with the wrench,
   /// times how much better or worse a payload explains what is known of the wrench.
   template <typename Children>
-  Scalar turn(Tale& child, const Tale& parent, Children& children, Innovation& out) noexcept {
+  Scalar turn(Tale& child, const Tale& parent, bool gains, Children& children, Innovation& out) noexcept {
     Tale& wrench = children.drawn();
     wrench.star = child.star;
     wrench.disturbance = parent.disturbance;
     wrench.disturbance.predict(parent.how, model_.block().elapsed(), rated_);
     Scalar log_likelihood =
         wrench.disturbance.observe(model_, wrench.star, parent.how, log_jolt(), rated_, out.squared);
+    if (gains) widen_gains(child.star);
     log_likelihood += wrench.disturbance.weigh(model_, child.star, payload_, rated_);
     child.payload = child.take_next();
     child.held_for = Scalar(0);
-    draw(child, children.first(), out);
+    const auto load = draw(child, children.first(), out);
     child.log_none.reset();  // the blocks before were a wrench's
-    (void)update(child, out);
+    (void)update(child, load, out);
     child.log_plausible = log_plausible(child.star, kLightest);
     return log_likelihood + child.log_plausible;
   }
 
+  static void widen_gains(Star& star) noexcept {
+    star.widen_nuisance(kGain, Scalar(Transitions::kOffGain * Transitions::kOffGain));
+  }
   /// Log probability that a jolt hides a disturbance in a block.
   Scalar log_jolt() const noexcept { return static_cast<Scalar>(std::log(model_.kind().jolt)); }
 
@@ -194,7 +199,8 @@ class StoryFilter {
 
   /// Draws a new payload. The prior of m r needs the mass, and the block itself shows the mass best. So the prior is for
   /// the mass that the block shows.
-  void draw(Tale& child, Tale& first, Innovation& out) noexcept {
+  /// @return what the joints bear then, as far as the block shows it
+  Load<Scalar, Dofs> draw(Tale& child, Tale& first, Innovation& out) noexcept {
     child.star.draw_payload(payload_.mean(), payload_.factor(payload_.square_mass()));
     first.star = child.star;
     first.mode = Mode::Held;
@@ -213,20 +219,21 @@ class StoryFilter {
       log_none -= Scalar(0.5) * white[i] * white[i] + std::log(factor(i, i));
     }
     child.log_none = log_none;
+    return model_.load(first.star);
   }
 
   /// Updates a story's filter with the block, joint by joint.
   /// @return log p(block | story) [nats], without the constant factor of 2 pi
-  Scalar update(Tale& story, Innovation& out) noexcept {
+  Scalar update(Tale& story, Innovation& out) noexcept { return update(story, model_.load(story.star), out); }
+  Scalar update(Tale& story, const Load<Scalar, Dofs>& load, Innovation& out) noexcept {
     using std::abs;
     using std::exp;
     using std::log;
     Star& star = story.star;
-    const Scalar mass = std::min(std::max(star.mass(), Scalar(0)), rated_);
     Scalar log_likelihood = Scalar(0);
     out.squared = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
-      auto p = star.predict(j, model_.observation(j, mass, star.swings()));
+      auto p = star.predict(j, model_.observation(j, load, star.swings()));
       const Scalar square = p.innovation * p.innovation;
       const auto log_density = [square](Scalar v) { return Scalar(-0.5) * (square / v + log(v)); };
       if (const Scalar jump = model_.stiction_jump(star, j); jump > 0) {  // a mixture of both
@@ -234,7 +241,7 @@ class StoryFilter {
         const Scalar share = Scalar(1) / (Scalar(1) + exp(stays - jumps));
         log_likelihood += std::max(stays, jumps) + log(Scalar(1) + exp(-abs(stays - jumps)));
         star.joint(j).covariance(kStiction, kStiction) += share * jump;
-        p = star.predict(j, model_.observation(j, mass, star.swings()));
+        p = star.predict(j, model_.observation(j, load, star.swings()));
       } else {
         log_likelihood += log_density(p.variance);
       }

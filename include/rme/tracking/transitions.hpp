@@ -18,6 +18,7 @@ struct Transition {
   bool quick = false;                 ///< of Mode::Pouring: it is taken up quickly
   bool anew = false;                  ///< of Mode::Held: a payload is drawn from the prior
   bool late = false;                  ///< of such a payload: the change has shown that the observer is not as stated
+  bool gains = false;                 ///< of such a payload: it shows that the gains of the torque are less exact
   bool never = false;                 ///< of Mode::Empty: there has been no payload since this one was drawn
   bool swings = false;                ///< of Mode::Held: the payload swings
   bool turned = false;                ///< of such a payload: the wrench that acted has been its weight all along
@@ -46,6 +47,8 @@ struct Transitions {
   static constexpr double kSoftOther = 0.005;   ///< a wrench grows along itself, or stays as it is, from now on
   static constexpr double kTurnsOut = 0.01;     ///< a disturbance turns out to be a change, or the other way round
   static constexpr double kIsLate = 0.01;       ///< a change shows that the observer is not as stated
+  static constexpr double kOffGain = 0.02;      ///< relative error of the torque's gains that are off
+  static constexpr double kGainsOff = 1e-3;     ///< a payload shows that the torque's gains are off
   /// Standard deviation of the lag then, in time constants of the stated observer. One that is in truth half or twice as
   /// fast has a lag of 1 or -0.5.
   static constexpr double kLate = 0.5;
@@ -83,14 +86,20 @@ struct Transitions {
       t.how = how;
       use(t);
     };
+    const double off =
+        kind.draws && story.star.nuisance_variance(kGain) < Scalar(0.25 * kOffGain * kOffGain) ? kGainsOff : 0;
     const auto drawn = [&](double probability, double hangs, bool late) {  // it swings from the start, or it does not
-      Transition t = to(Mode::Held, probability * (1 - hangs));
+      Transition t = to(Mode::Held, probability * (1 - hangs - off));
       t.anew = true;
       t.late = late;
       use(t);
-      t.probability = probability * hangs;
       t.swings = true;
+      t.probability = probability * hangs;
       if (hangs > 0) use(t);
+      t.swings = false;
+      t.gains = true;
+      t.probability = probability * off;
+      if (off > 0) use(t);
     };
     const double hangs = kHangs * kind.faint;
     switch (story.mode) {
@@ -164,9 +173,12 @@ struct Transitions {
         use(to(story.payload == 0 ? Mode::Empty : Mode::Held, ends));
         use(to(Mode::Changing, turns_out));
         if (turned > 0 && soon) {
-          Transition weight = to(Mode::Held, turned * kSoon);
+          Transition weight = to(Mode::Held, turned * kSoon * (1 - off));
           weight.anew = weight.turned = true;
           use(weight);
+          weight.gains = true;
+          weight.probability = turned * kSoon * off;
+          if (off > 0) use(weight);
         }
         for (const Disturbing how : {Disturbing::Hand, Disturbing::Growing, Disturbing::Still})
           if (other(how) > 0) disturbed(other(how), how);
