@@ -136,7 +136,7 @@ class Histories {
   Scalar disturbed() const noexcept {
     Scalar sum = Scalar(0);
     for (int i = 0; i < count_; ++i) {
-      const bool swings = told(i).star.swings() && told(i).held_for > Scalar(kPickUp);
+      const bool swings = told(i).star.swings() && Swing<Scalar, Dofs>::may_be_led(told(i).held_for);
       if (told(i).mode == Mode::Disturbed || told(i).mode == Mode::Pouring || swings) sum += weight(i);
     }
     return std::min(Scalar(1), sum);
@@ -192,7 +192,6 @@ class Histories {
 
   static constexpr double kOffAtStart = 0.01;  // probability that the arm's torques are off by more than stated
   static constexpr double kOff = 30;           // how much more, times the stated offset
-  static constexpr double kPickUp = 1;         // how long a swing may belong to the pick-up [s]
   static constexpr double kPourDepth = 8;      // log odds at which a pour is given up while nothing happens [nats]
   static constexpr int kPlans = Transitions::kMost * Capacity;
 

@@ -46,6 +46,10 @@ class StarGaussian {
   const X& mean() const noexcept { return mean_; }             ///< of x
   XMatrix covariance() const noexcept { return detail::outer_square(factor_); }  ///< of x, F F^T
   bool swings() const noexcept { return swings_; }                               ///< whether the payload swings
+  /// Mean of the tool error, (m, m r) [kg, kg m].
+  Vector4<Scalar> tool_mean() const noexcept {
+    return swings_ ? tool_mean_ : Vector4<Scalar>(mean_.template segment<4>(kTool));
+  }
   /// Mean of the payload's mass, with what was poured [kg].
   Scalar mass() const noexcept { return mean_[kPayload] + poured_mass(); }
   /// Mean of the payload's phi, with what was poured.
@@ -285,13 +289,17 @@ class StarGaussian {
   }
   /// From now on, the payload swings, with a force of zero mean. Nothing may be poured meanwhile. Until it ends, nothing is
   /// learned of the tool: new force couples the joints, and what a star loses of that would let the tool drift against the
-  /// joints' offsets.
+  /// joints' offsets. In the tool's place there is what a hand that leads the arm carries of the payload, or adds
+  /// to it: like an error of the tool, of which the joints' offsets have taken over what showed so far.
   /// @param variance  of the force [N^2], world axes
-  void begin_swing(const Vector3<Scalar>& variance) noexcept {
+  /// @param led       of what such a hand carries, (m, m r) [kg^2, (kg m)^2]
+  void begin_swing(const Vector3<Scalar>& variance, const Vector4<Scalar>& led) noexcept {
     using std::sqrt;
-    for (int i = 0; i < 4; ++i) {
-      tool_variance_[i] = this->variance(kTool + i);
-      for (int k = 0; k < kShared; ++k) factor_(kTool + i, k) = Scalar(0);
+    for (int i = kTool; i < kTool + 4; ++i) {
+      tool_mean_[i - kTool] = mean_[i];
+      tool_variance_[i - kTool] = this->variance(i);
+      for (int k = 0; k < kShared; ++k) factor_(i, k) = Scalar(0);
+      factor_(i, i) = sqrt(led[i - kTool]);
     }
     for (int i = 0; i < 3; ++i) factor_(kSwing + i, kSwing + i) = sqrt(variance[i]);
     size_ = kShared;
@@ -306,9 +314,13 @@ class StarGaussian {
         for (int n = 0; n < kJointNuisances; ++n) joint.slope(i, n) /= scale;
     }
   }
-  /// The payload swings no more: marginalises the force. What is known of the tool is as uncertain as before.
+  /// The payload swings no more: marginalises the force, and what a hand carries. What is known of the tool is as before.
   void end_swing() noexcept {
     if (!swings_) return;
+    for (int i = kTool; i < kTool + 4; ++i) {  // the joints' nuisances are what they are without such a hand
+      mean_[i] = tool_mean_[i - kTool];
+      for (int k = 0; k < kShared; ++k) factor_(i, k) = Scalar(0);
+    }
     X mean = mean_;
     XMatrix kept = factor_;
     for (int i = kSwing; i < kSwing + 3; ++i) {
@@ -498,7 +510,7 @@ class StarGaussian {
   X mean_ = X::Zero();
   XMatrix factor_ = XMatrix::Zero();  // F
   bool swings_ = false;
-  Vector4<Scalar> tool_variance_ = Vector4<Scalar>::Zero();  // before the payload swung
+  Vector4<Scalar> tool_mean_ = Vector4<Scalar>::Zero(), tool_variance_ = Vector4<Scalar>::Zero();  // before it swung
   int size_ = kArmShared;  // entries of x that are not zero for certain; the others have zero slopes
   std::array<Joint, static_cast<std::size_t>(Dofs)> joints_;
 };

@@ -128,12 +128,13 @@ class StoryFilter {
       child.held_for = Scalar(0);
       if (transition.gains) widen_gains(child.star);
       load = draw(child, children.first(), out);
-      if (transition.swings) begin_swing(child, children.first().star, true);
+      if (transition.swings) begin_swing(child, children.first().star, true, Vector4<Scalar>::Zero());
     } else if (transition.swings && parent.star.swings()) {
       child.swing.predict(child.star, duration);
-    } else if (transition.swings) {  // so it may have swung before, unnoticed
+    } else if (transition.swings) {  // so it may have swung before, unnoticed; or somebody leads the arm
       child.star.widen_payload(Swing<Scalar, Dofs>::hidden(child.held_for));
-      begin_swing(child, child.star, false);
+      begin_swing(child, child.star, false,
+                  Swing<Scalar, Dofs>::led(child.held_for, weight(child.star) / norm(model_.gravity())));
       child.swing.predict(child.star, duration);
     }
     child.held_for += duration;
@@ -162,9 +163,10 @@ class StoryFilter {
   /// What is held swings from now on.
   /// @param shown  has its mass
   /// @param goes   as in Swing
-  void begin_swing(Tale& story, const Star& shown, bool goes) noexcept {
+  /// @param led    as in Swing
+  void begin_swing(Tale& story, const Star& shown, bool goes, const Vector4<Scalar>& led) noexcept {
     story.log_none.reset();  // without the payload, nothing would swing
-    story.swing.begin(story.star, weight(shown), goes);
+    story.swing.begin(story.star, weight(shown), goes, led);
   }
   /// What was taken for a wrench has been a weight all along. The blocks since it began are as likely as with the wrench,
   /// times how much better or worse a payload explains what is known of the wrench.

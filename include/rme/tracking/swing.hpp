@@ -25,11 +25,12 @@ class Swing {
   /// @param star    state; from here on it has the force as an unknown of its own
   /// @param weight  of the payload [N], > 0
   /// @param goes    whether it has begun before; otherwise the force is 0 at first
-  void begin(Star& star, Scalar weight, bool goes) noexcept {
+  /// @param led     of star.begin_swing()
+  void begin(Star& star, Scalar weight, bool goes, const Vector4<Scalar>& led) noexcept {
     const Scalar force = Scalar(kForce) * weight;
     *this = Swing();
     variance_.setConstant(force * force);
-    star.begin_swing(goes ? variance_ : Vector3<Scalar>(Vector3<Scalar>::Zero()));
+    star.begin_swing(goes ? variance_ : Vector3<Scalar>(Vector3<Scalar>::Zero()), led);
     for (int i = 0; i < 3; ++i) rate_.covariance(i, i) = Scalar(kReturn * kReturn) * variance_[i];
   }
   /// Time update of the force and of its rate.
@@ -112,6 +113,18 @@ class Swing {
   static Scalar hidden(Scalar held_for) noexcept {
     return Scalar(kHidden * kHidden) * std::exp(-held_for / Scalar(kUnnoticed));
   }
+  /// Whether a swing that begins now may be a hand that leads the arm: it does not belong to the pick-up.
+  /// @param held_for  since the payload was drawn [s]
+  static bool may_be_led(Scalar held_for) noexcept { return held_for > Scalar(kPickUp); }
+  /// Variance of what a hand that leads the arm carries of a payload, (m, m r) [kg^2, (kg m)^2].
+  /// @param held_for  since the payload was drawn [s]
+  /// @param mass      of the payload [kg]
+  static Vector4<Scalar> led(Scalar held_for, Scalar mass) noexcept {
+    const Scalar square = may_be_led(held_for) ? mass * mass : Scalar(0);
+    Vector4<Scalar> out = Vector4<Scalar>::Constant(square * Scalar(kLedArm * kLedArm));
+    out[0] = square * Scalar(kLed * kLed);
+    return out;
+  }
 
  private:
   static constexpr double kForce = 0.1;   // standard deviation of the force in each direction at first, per weight
@@ -120,6 +133,8 @@ class Swing {
   static constexpr double kLeast = 0.01, kMost = 0.1;   // bounds of the size, per weight
   static constexpr double kHidden = 0.03;               // relative error of a payload that swings unnoticed
   static constexpr double kUnnoticed = 0.3;             // for how long a swing stays unnoticed [s]
+  static constexpr double kPickUp = 1;                  // how long a swing may belong to the pick-up [s]
+  static constexpr double kLed = 0.3, kLedArm = 0.1;    // what a hand carries: share of the payload; at [m]
   static constexpr double kMiddle = 1;                  // memory of the middle of the swing [s]
   static constexpr double kEdge = 0.3;                  // distance from it where a side begins, in standard deviations
   static constexpr double kNewest = 0.3;                // share of the newest half period in the frequency
