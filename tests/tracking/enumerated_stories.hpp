@@ -66,16 +66,20 @@ class EnumeratedStories {
     const double c = kind.change;
     const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false,
                            bool quick = false, bool late = false, bool turned = false, bool never = false,
-                           bool swings = false) {
+                           bool swings = false, bool gains = false) {
       const bool same = mode == p.mode && !anew && (mode != Mode::Disturbed || how == p.how) &&
                         (mode != Mode::Pouring || quick == p.quick) && swings == p.star.swings();
       if (same == goes_on && probability > 0)
-        add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, std::log(probability)));
+        add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, gains, std::log(probability)));
     };
+    double gain = 0;
+    for (int j = 0; j < Dofs; ++j) gain += p.star.joint(j).covariance(kGain, kGain) / Dofs;
+    const double off = kind.draws && gain < 0.01 * 0.01 ? Transitions::kGainsOff : 0;
     const auto drawn = [&](double probability, bool late) {
       const double hangs = p.mode == Mode::Held ? 0 : Transitions::kHangs * kind.faint;
-      child(Mode::Held, probability * (1 - hangs), Disturbing::Hand, true, false, late);
+      child(Mode::Held, probability * (1 - hangs - off), Disturbing::Hand, true, false, late);
       child(Mode::Held, probability * hangs, Disturbing::Hand, true, false, late, false, false, true);
+      child(Mode::Held, probability * off, Disturbing::Hand, true, false, late, false, false, false, true);
     };
     const auto disturb = [&] {
       child(Mode::Disturbed, Transitions::kDisturbs);
@@ -129,8 +133,11 @@ class EnumeratedStories {
             p.how);
       child(p.payload == 0 ? Mode::Empty : Mode::Held, ends);
       child(Mode::Changing, turns_out);
-      if (soft && blocks_ % Transitions::kSoon == 0)
-        child(Mode::Held, turns_out * Transitions::kSoon, Disturbing::Hand, true, false, false, true);
+      if (soft && blocks_ % Transitions::kSoon == 0) {
+        const double turned = turns_out * Transitions::kSoon;
+        child(Mode::Held, turned * (1 - off), Disturbing::Hand, true, false, false, true);
+        child(Mode::Held, turned * off, Disturbing::Hand, true, false, false, true, false, false, true);
+      }
       if (jolt) return;
       for (const Disturbing how : {Disturbing::Hand, Disturbing::Growing, Disturbing::Still})
         if (how != p.how)
@@ -140,7 +147,7 @@ class EnumeratedStories {
   }
 
   Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, bool quick, bool late,
-               bool turned, bool never, bool swings, double log_transition) {
+               bool turned, bool never, bool swings, bool gains, double log_transition) {
     Tale child = parent;
     child.mode = mode;
     child.how = how;
@@ -148,9 +155,9 @@ class EnumeratedStories {
     model.predict(child.star);
     if (!swings) child.star.end_swing();
     if (parent.mode == Mode::Pouring && mode != Mode::Pouring) child.star.end_pour();
-    child.log_weight += log_transition + (turned  ? turn(model, parent, child)
+    child.log_weight += log_transition + (turned  ? turn(model, parent, child, gains)
                                           : never ? nothing(model, child)
-                                                  : likelihood(model, parent, child, anew, late, swings));
+                                                  : likelihood(model, parent, child, anew, late, swings, gains));
     return child;
   }
   /// There has been no payload since this one was drawn: what the joints' torques say of it, and its prior, at zero.
@@ -162,13 +169,14 @@ class EnumeratedStories {
     return out + observe(model, child.star, nullptr);
   }
   /// The wrench has been a payload all along.
-  double turn(const Model& model, const Tale& parent, Tale& child) {
+  double turn(const Model& model, const Tale& parent, Tale& child, bool gains) {
     auto star = child.star;
     auto wrench = parent.disturbance;
     double squared;
     wrench.predict(parent.how, model.block().duration, rated_);
-    const double out = wrench.observe(model, star, parent.how, std::log(model.kind().jolt), rated_, squared) +
-                       wrench.weigh(model, child.star, prior_, rated_);
+    double out = wrench.observe(model, star, parent.how, std::log(model.kind().jolt), rated_, squared);
+    if (gains) widen_gains(child.star);
+    out += wrench.weigh(model, child.star, prior_, rated_);
     child.payload = child.next++;
     child.held_for = 0;
     draw(model, child.star);
@@ -176,7 +184,8 @@ class EnumeratedStories {
     child.log_none.reset();
     return out + child.log_plausible;
   }
-  double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew, bool late, bool swings) {
+  double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew, bool late, bool swings,
+                    bool gains) {
     const double duration = model.block().duration;
     double squared;  // of no use here
     if (child.mode == Mode::Disturbed) {
@@ -194,7 +203,6 @@ class EnumeratedStories {
       return anything.observe(model, star, Disturbing::Hand, -std::numeric_limits<double>::infinity(), rated_, squared);
     }
     if (child.mode == Mode::Empty) {
-      if (parent.payload != 0) model.unload(child.star, parent.star.payload_mean());
       child.star.forget_payload();
       child.payload = 0;
       child.log_plausible = 0;
@@ -210,6 +218,7 @@ class EnumeratedStories {
         wider[kLag] = Transitions::kLate * Transitions::kLate;
         child.star.widen_arm(wider);
       }
+      if (gains) widen_gains(child.star);
       child.held_for = 0;
       out = draw(model, child.star, &child.log_none, swings ? &child : nullptr);
     } else if (child.mode == Mode::Pouring) {
@@ -229,7 +238,9 @@ class EnumeratedStories {
         child.swing.predict(child.star, duration);
       } else if (swings) {
         child.star.widen_payload(0.03 * 0.03 * std::exp(-child.held_for / 0.3));
-        child.swing.begin(child.star, weight(child.star), false);
+        const double mass = child.held_for > 1 ? weight(child.star) / 9.81 : 0;  // somebody may lead the arm
+        const Vector4<double> led = mass * mass * Vector4<double>(0.09, 0.01, 0.01, 0.01);
+        child.swing.begin(child.star, weight(child.star), false, led);
         child.swing.predict(child.star, duration);
         child.log_none.reset();
       }
@@ -255,17 +266,23 @@ class EnumeratedStories {
     star.draw_payload(prior_.mean(), factor);
     if (log_none != nullptr) *log_none = oracle::log_normal(prior_.mean(), oracle::square(factor));
     if (swinging != nullptr) {
-      swinging->swing.begin(star, weight(shown), true);
+      swinging->swing.begin(star, weight(shown), true, Vector4<double>::Zero());
       swinging->log_none.reset();
     }
-    return observe(model, star, nullptr, swinging != nullptr ? &swinging->swing : nullptr);
+    return observe(model, star, nullptr, swinging != nullptr ? &swinging->swing : nullptr, &shown);
+  }
+  static void widen_gains(StarGaussian<double, Dofs>& star) {
+    for (int j = 0; j < Dofs; ++j) star.joint(j).covariance(kGain, kGain) += 0.02 * 0.02;
   }
   double observe(const Model& model, StarGaussian<double, Dofs>& star, Pour<double, Dofs>* pour,
-                 Swing<double, Dofs>* swing = nullptr) {
-    const double mass = std::clamp(star.mass(), 0.0, rated_);
+                 Swing<double, Dofs>* swing = nullptr, const StarGaussian<double, Dofs>* bears = nullptr) {
+    const auto& about = bears != nullptr ? *bears : star;
+    Load<double, Dofs> load;
+    load.mass = std::clamp(about.mass(), 0.0, rated_);
+    load.torque = model.block().regressor * about.payload_mean();
     double out = 0;
     for (int j = 0; j < Dofs; ++j) {  // no joint's stiction jumps while the arm rests
-      const auto p = star.predict(j, model.observation(j, mass, star.swings()));
+      const auto p = star.predict(j, model.observation(j, load, star.swings()));
       out -= 0.5 * (p.innovation * p.innovation / p.variance + std::log(p.variance));
       if (pour != nullptr) pour->observe(star, p);
       if (swing != nullptr) swing->observe(star, p);

@@ -135,8 +135,8 @@ TEST_CASE("StarGaussian: three hundred updates give what one dense batch solutio
       star.joint(j).mean = b0.back();
       star.joint(j).covariance = V0.back();
     }
-    const Vector A = (Vector(kJointNuisances) << 1, 1, 0.99, 0.9, 1).finished();
-    const Vector Q = (Vector(kJointNuisances) << 1e-4, 1e-6, 0, 0.02, 1e-3).finished();
+    const Vector A = (Vector(kJointNuisances) << 1, 1, 0.99, 0.9, 1, 1).finished();
+    const Vector Q = (Vector(kJointNuisances) << 1e-4, 1e-6, 0, 0.02, 1e-3, 1e-8).finished();
 
     Matrix H(steps, kShared), C(steps, kJointNuisances);
     Vector y(steps), R(steps);
@@ -378,7 +378,15 @@ TEST_CASE("StarGaussian: a payload that swings keeps the moments of every pair, 
     }
     expected.covariance = T * expected.covariance * T.transpose();
     for (int i = 0; i < 3; ++i) expected.covariance(kSwing + i, kSwing + i) = size[i];
-    star.begin_swing(size);
+    // What a hand carries takes the tool's place, and the joints' nuisances depend on it as they did on the tool.
+    const rme::Vector4<double> led = k % 2 * random_vector(random, 4).cwiseAbs2(), told = star.tool_mean();
+    expected.covariance.diagonal().segment<4>(kTool) = led;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < kJoints; ++j)
+        for (int n = 0; n < kJointNuisances; ++n) T(first(j) + n, kTool + i) = star.joint(j).slope(kTool + i, n);
+    for (int i = 0; i < 4; ++i) T(kTool + i, kTool + i) = 1;
+    expected.covariance = T * expected.covariance * T.transpose();
+    star.begin_swing(size, led);
     CHECK(star.swings());
     CHECK(difference(dense(star), expected) < 1e-9);
     for (int i = 0; i < 9; ++i) star.observe(i % kJoints, star.predict(i % kJoints, random_observation(random)));
@@ -395,10 +403,20 @@ TEST_CASE("StarGaussian: a payload that swings keeps the moments of every pair, 
     Star changed = star;
     changed.scale_swing(scale);
     CHECK(difference(dense(changed), mapped(T, before)) < 1e-9);
-    // It ends: the tool is what it was, and as uncertain; the rest is as it was.
-    CHECK(before.mean.segment<4>(kTool) == expected.mean.segment<4>(kTool));
+    // It ends: the tool is what it was, and as uncertain; the nuisances are those of an arm that nobody leads, and the rest
+    // is as it was.
+    CHECK(star.tool_mean() == told);
+    T = Matrix::Identity(kAll, kAll);
     for (int i = 0; i < 3; ++i) T(kSwing + i, kSwing + i) = 0;
+    for (int i = 0; i < 4; ++i) {
+      T(kTool + i, kTool + i) = 0;
+      for (int j = 0; j < kJoints; ++j)
+        for (int n = 0; n < kJointNuisances; ++n) T(first(j) + n, kTool + i) = -star.joint(j).slope(kTool + i, n);
+    }
     expected = mapped(T, before);
+    expected.mean.segment<4>(kTool) = told;
+    for (int j = 0; j < kJoints; ++j)
+      expected.mean.segment<kJointNuisances>(first(j)) += star.joint(j).slope.middleRows<4>(kTool).transpose() * told;
     expected.covariance.diagonal().segment<4>(kTool) += tool;
     changed = star;
     changed.end_swing();

@@ -69,8 +69,9 @@ void check_long_run(int blocks, unsigned seed) {
   const double arm[kArmShared] = {0.003, 0.03, 0.0075, 0.0075, 0.0075, 0.02, 0.02};
   star.set_arm(Eigen::Map<const Eigen::Matrix<double, kArmShared, 1>>(arm).cwiseAbs2().template cast<Scalar>());
   for (int j = 0; j < n; ++j) {
-    star.joint(j).mean << 0, Scalar(0.2), Scalar(0.1), 0, 0;
-    star.joint(j).covariance.diagonal() << Scalar(0.0225), Scalar(0.01), Scalar(0.0025), Scalar(4e-4), Scalar(0.0144);
+    star.joint(j).mean << 0, Scalar(0.2), Scalar(0.1), 0, 0, 0;
+    star.joint(j).covariance.diagonal() << Scalar(0.0225), Scalar(0.01), Scalar(0.0025), Scalar(4e-4), Scalar(0.0144),
+        Scalar(1e-4);
   }
   const Scalar keep = Scalar(0.99), noise = Scalar(0.03);
   std::array<Scalar, 1024> white;
@@ -104,7 +105,7 @@ void check_long_run(int blocks, unsigned seed) {
     o.h[rme::kLag] = 300 * draw();
     o.h[rme::kTilt] = Scalar(pose.h(3, j));
     o.h[rme::kTilt + 1] = Scalar(pose.h(2, j));
-    o.c << 1, -direction, -velocity, 1, 0;
+    o.c << 1, -direction, -velocity, 1, 0, 0;
     o.noise = noise * noise;
     // With an offset of 0.1 N m and friction of 0.25 N m and 0.08 N m s/rad.
     o.torque = Scalar(0.1) - Scalar(0.25) * direction - Scalar(0.08) * velocity + draw();

@@ -65,7 +65,7 @@ TEST_CASE("Swing: payload, force and its rate are what one dense filter over all
   std::mt19937 random(seed);
   Star star = holding(1.2, 0.3);
   Swing swing;
-  swing.begin(star, kGravity * 1.2, true);
+  swing.begin(star, kGravity * 1.2, true, rme::Vector4<double>::Zero());
   constexpr double L = 20;
   constexpr int kAll = kShared + 3;
   Vector mean = Vector::Zero(kAll);
@@ -137,7 +137,7 @@ TEST_CASE("Swing: mass and frequency of what hangs on a string, or on a spring, 
       CAPTURE(frequency, bounces);
       Star star = holding(1.3, 0.3);
       Swing swing;
-      swing.begin(star, kGravity * 1.3, true);
+      swing.begin(star, kGravity * 1.3, true, rme::Vector4<double>::Zero());
       CHECK(swing.frequency() == 0);
       live(star, swing, 1, 200, random, [&](double t) {  // 10 degrees, or a quarter of the weight
         const double phase = 2 * std::acos(-1.0) * frequency * t;
@@ -155,7 +155,7 @@ TEST_CASE("Swing: a force that stays is no swing, but weight", "[swing]") {
   std::mt19937 random(seed);
   Star star = holding(0.8, 0.1);
   Swing swing;
-  swing.begin(star, kGravity * 0.8, true);
+  swing.begin(star, kGravity * 0.8, true, rme::Vector4<double>::Zero());
   live(star, swing, 1, 400, random, [](double) { return Eigen::Vector3d(0, 0, 0); });
   CHECK(star.mass() == Approx(1).epsilon(0.03));
   CHECK(std::abs(star.mean()[kSwing + 2]) < 0.3);

@@ -299,7 +299,11 @@ class StarGaussian {
       tool_mean_[i - kTool] = mean_[i];
       tool_variance_[i - kTool] = this->variance(i);
       for (int k = 0; k < kShared; ++k) factor_(i, k) = Scalar(0);
-      factor_(i, i) = sqrt(led[i - kTool]);
+    }
+    if (led[0] > 0) {
+      XMatrix total = covariance();
+      for (int i = 0; i < 4; ++i) total(kTool + i, kTool + i) = led[i];
+      if (const Factor factor(total); factor.finite()) factor_ = factor.lower();
     }
     for (int i = 0; i < 3; ++i) factor_(kSwing + i, kSwing + i) = sqrt(variance[i]);
     size_ = kShared;
