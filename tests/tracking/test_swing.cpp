@@ -36,7 +36,7 @@ rme::JointObservation<double> force(int axis, double torque, double noise) {
   rme::JointObservation<double> o{torque, rme::SharedVector<double>::Zero(), rme::JointNuisanceVector<double>::Zero(),
                                   noise * noise};
   o.h[kSwing + axis] = 1;
-  if (axis == 2) o.h[kPayload] = -kGravity;
+  if (axis == 2) o.h[kPayload] = o.h[rme::kTool] = -kGravity;
   return o;
 }
 
@@ -166,6 +166,29 @@ TEST_CASE("Swing: a payload that swung unnoticed is off by 3 % at most, and by l
   CHECK(Swing::hidden(0) == Approx(0.03 * 0.03));
   CHECK(Swing::hidden(0.3) == Approx(0.03 * 0.03 / std::exp(1.0)));
   CHECK(Swing::hidden(std::numeric_limits<double>::max()) == 0);
+}
+
+TEST_CASE("Swing: what begins to swing more than a second after it was drawn may be led by a hand that carries of it",
+          "[swing]") {
+  CHECK_FALSE(Swing::may_be_led(0.99));
+  CHECK(Swing::led(0.99, 2).isZero(0));
+  CHECK(Swing::may_be_led(1.01));
+  CHECK(Swing::led(1.01, 2).isApprox(rme::Vector4<double>(0.36, 0.04, 0.04, 0.04)));
+  const unsigned seed = 593;
+  CAPTURE(seed);
+  for (const bool led : {false, true}) {
+    CAPTURE(led);
+    std::mt19937 random(seed);
+    Star star = holding(1, 0.01);
+    Swing swing;
+    swing.begin(star, kGravity, false, Swing::led(led ? 2 : 0, 1));
+    live(star, swing, 0.8, 1000, random, [](double) { return Eigen::Vector3d(0, 0, 0); });
+    CHECK(std::abs(star.mass() - (led ? 1 : 0.8)) < 0.02);  // somebody carries 0.2 kg of it, or it is lighter
+    CHECK(star.tool_mean().isZero(0));
+    star.end_swing();
+    CHECK(star.tool_mean().isZero(0));
+    CHECK(star.mean()[rme::kTool] == 0);
+  }
 }
 
 }  // namespace
