@@ -133,11 +133,8 @@ class EnumeratedStories {
             p.how);
       child(p.payload == 0 ? Mode::Empty : Mode::Held, ends);
       child(Mode::Changing, turns_out);
-      if (soft && blocks_ % Transitions::kSoon == 0) {
-        const double turned = turns_out * Transitions::kSoon;
-        child(Mode::Held, turned * (1 - off), Disturbing::Hand, true, false, false, true);
-        child(Mode::Held, turned * off, Disturbing::Hand, true, false, false, true, false, false, true);
-      }
+      if (soft && blocks_ % Transitions::kSoon == 0)
+        child(Mode::Held, turns_out * Transitions::kSoon, Disturbing::Hand, true, false, false, true);
       if (jolt) return;
       for (const Disturbing how : {Disturbing::Hand, Disturbing::Growing, Disturbing::Still})
         if (how != p.how)
@@ -155,7 +152,7 @@ class EnumeratedStories {
     model.predict(child.star);
     if (!swings) child.star.end_swing();
     if (parent.mode == Mode::Pouring && mode != Mode::Pouring) child.star.end_pour();
-    child.log_weight += log_transition + (turned  ? turn(model, parent, child, gains)
+    child.log_weight += log_transition + (turned  ? turn(model, parent, child)
                                           : never ? nothing(model, child)
                                                   : likelihood(model, parent, child, anew, late, swings, gains));
     return child;
@@ -169,14 +166,13 @@ class EnumeratedStories {
     return out + observe(model, child.star, nullptr);
   }
   /// The wrench has been a payload all along.
-  double turn(const Model& model, const Tale& parent, Tale& child, bool gains) {
+  double turn(const Model& model, const Tale& parent, Tale& child) {
     auto star = child.star;
     auto wrench = parent.disturbance;
     double squared;
     wrench.predict(parent.how, model.block().duration, rated_);
-    double out = wrench.observe(model, star, parent.how, std::log(model.kind().jolt), rated_, squared);
-    if (gains) widen_gains(child.star);
-    out += wrench.weigh(model, child.star, prior_, rated_);
+    const double out = wrench.observe(model, star, parent.how, std::log(model.kind().jolt), rated_, squared) +
+                       wrench.weigh(model, child.star, prior_, rated_);
     child.payload = child.next++;
     child.held_for = 0;
     draw(model, child.star);
@@ -203,6 +199,7 @@ class EnumeratedStories {
       return anything.observe(model, star, Disturbing::Hand, -std::numeric_limits<double>::infinity(), rated_, squared);
     }
     if (child.mode == Mode::Empty) {
+      if (parent.payload != 0) model.unload(child.star, parent.star.payload_mean(), parent.held_for);
       child.star.forget_payload();
       child.payload = 0;
       child.log_plausible = 0;
@@ -218,7 +215,7 @@ class EnumeratedStories {
         wider[kLag] = Transitions::kLate * Transitions::kLate;
         child.star.widen_arm(wider);
       }
-      if (gains) widen_gains(child.star);
+      for (int j = 0; gains && j < Dofs; ++j) child.star.joint(j).covariance(kGain, kGain) += 0.02 * 0.02;
       child.held_for = 0;
       out = draw(model, child.star, &child.log_none, swings ? &child : nullptr);
     } else if (child.mode == Mode::Pouring) {
@@ -270,9 +267,6 @@ class EnumeratedStories {
       swinging->log_none.reset();
     }
     return observe(model, star, nullptr, swinging != nullptr ? &swinging->swing : nullptr, &shown);
-  }
-  static void widen_gains(StarGaussian<double, Dofs>& star) {
-    for (int j = 0; j < Dofs; ++j) star.joint(j).covariance(kGain, kGain) += 0.02 * 0.02;
   }
   double observe(const Model& model, StarGaussian<double, Dofs>& star, Pour<double, Dofs>* pour,
                  Swing<double, Dofs>* swing = nullptr, const StarGaussian<double, Dofs>* bears = nullptr) {

@@ -113,6 +113,19 @@ class JointTorqueModel {
     for (auto& s : shift) s *= mass;
     star.suppose_payload(detail::scaled(mass, along), shift);
   }
+  /// A payload has been removed. While it was held, a drift of the torque's gain was taken for one of the offset.
+  /// @param star      state
+  /// @param held      its phi
+  /// @param held_for  for how long [s]
+  void unload(Star& star, const InertialVector<Scalar>& held, Scalar held_for) const noexcept {
+    const Scalar drift = Scalar(kGainDrift) * std::sqrt(held_for);
+    for (int j = 0; j < Dofs; ++j) {
+      Scalar torque = Scalar(0);
+      for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * held[i];
+      const Scalar off = std::min(drift * std::abs(torque), arm_.offset[j]);
+      star.joint(j).covariance(kOffset, kOffset) += off * off;
+    }
+  }
   /// What the joints bear in this block if they hold what `star` says.
   Load<Scalar, Dofs> load(const Star& star) const noexcept {
     Load<Scalar, Dofs> out;
@@ -165,6 +178,7 @@ class JointTorqueModel {
   const ArmPrior<Scalar, Dofs>& arm() const noexcept { return arm_; }   ///< with the friction that the kind sees
 
  private:
+  static constexpr double kGainDrift = 0.004;  // random walk of a torque sensor's gain [1/s^(1/2)]
   static constexpr double kStictionShare = 0.6;
   static constexpr double kHidden = 3;         // standard deviations of all joints together that may hide a payload
   static constexpr double kToolArm = 0.1;      // spread of the tool error's first moment, per kg of its mass [m]

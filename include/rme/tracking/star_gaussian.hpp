@@ -258,7 +258,8 @@ class StarGaussian {
     }
     forget_payload();
   }
-  /// Adds noise, independent from joint to joint, to nuisance n of each.
+  /// Adds noise, independent from joint to joint, to a nuisance of each.
+  /// @param n         which one
   /// @param variance  of the noise, >= 0
   void widen_nuisance(Nuisance n, Scalar variance) noexcept {
     for (Joint& joint : joints_) joint.covariance(n, n) += variance;

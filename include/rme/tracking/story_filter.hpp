@@ -73,7 +73,7 @@ class StoryFilter {
         child.disturbance.predict(child.how, duration, rated_);
       return child.disturbance.observe(model_, child.star, child.how, log_jolt(), rated_, out.squared);
     }
-    if (transition.turned) return turn(child, parent, transition.gains, children, out);
+    if (transition.turned) return turn(child, parent, children, out);
     if (child.mode == Mode::Changing) {
       if (model_.kind().draws) {
         Tale& drawn = children.drawn();
@@ -98,6 +98,7 @@ class StoryFilter {
     }
     if (child.mode == Mode::Empty) {
       child.log_none.reset();
+      if (parent.payload != 0) model_.unload(child.star, parent.star.payload_mean(), parent.held_for);
       child.star.forget_payload();
       child.payload = 0;
       child.log_plausible = Scalar(0);
@@ -126,7 +127,7 @@ class StoryFilter {
       child.payload = child.take_next();
       child.log_plausible = Scalar(0);
       child.held_for = Scalar(0);
-      if (transition.gains) widen_gains(child.star);
+      if (transition.gains) child.star.widen_nuisance(kGain, Scalar(Transitions::kOffGain * Transitions::kOffGain));
       load = draw(child, children.first(), out);
       if (transition.swings) begin_swing(child, children.first().star, true, Vector4<Scalar>::Zero());
     } else if (transition.swings && parent.star.swings()) {
@@ -171,14 +172,13 @@ class StoryFilter {
   /// What was taken for a wrench has been a weight all along. The blocks since it began are as likely as with the wrench,
   /// times how much better or worse a payload explains what is known of the wrench.
   template <typename Children>
-  Scalar turn(Tale& child, const Tale& parent, bool gains, Children& children, Innovation& out) noexcept {
+  Scalar turn(Tale& child, const Tale& parent, Children& children, Innovation& out) noexcept {
     Tale& wrench = children.drawn();
     wrench.star = child.star;
     wrench.disturbance = parent.disturbance;
     wrench.disturbance.predict(parent.how, model_.block().elapsed(), rated_);
     Scalar log_likelihood =
         wrench.disturbance.observe(model_, wrench.star, parent.how, log_jolt(), rated_, out.squared);
-    if (gains) widen_gains(child.star);
     log_likelihood += wrench.disturbance.weigh(model_, child.star, payload_, rated_);
     child.payload = child.take_next();
     child.held_for = Scalar(0);
@@ -189,9 +189,6 @@ class StoryFilter {
     return log_likelihood + child.log_plausible;
   }
 
-  static void widen_gains(Star& star) noexcept {
-    star.widen_nuisance(kGain, Scalar(Transitions::kOffGain * Transitions::kOffGain));
-  }
   /// Log probability that a jolt hides a disturbance in a block.
   Scalar log_jolt() const noexcept { return static_cast<Scalar>(std::log(model_.kind().jolt)); }
 

@@ -173,12 +173,9 @@ struct Transitions {
         use(to(story.payload == 0 ? Mode::Empty : Mode::Held, ends));
         use(to(Mode::Changing, turns_out));
         if (turned > 0 && soon) {
-          Transition weight = to(Mode::Held, turned * kSoon * (1 - off));
+          Transition weight = to(Mode::Held, turned * kSoon);
           weight.anew = weight.turned = true;
           use(weight);
-          weight.gains = true;
-          weight.probability = turned * kSoon * off;
-          if (off > 0) use(weight);
         }
         for (const Disturbing how : {Disturbing::Hand, Disturbing::Growing, Disturbing::Still})
           if (other(how) > 0) disturbed(other(how), how);
