@@ -30,7 +30,7 @@ constexpr double kPeriod = 1e-3, kMass = 1;                              // [s],
 constexpr double kAttach = 1, kLed = 3, kLetGo = 23, kEnd = kLetGo + 1;  // [s]
 constexpr double kHand = 400, kHandDamping = 40;                         // of the person's hand [N/m, N s/m]
 constexpr double kWrist = 10, kTwist = 2;                                // of the person's wrist [N m/rad, N m s/rad]
-constexpr double kOff = 0.15;  // largest error of the mass that is accepted [kg]
+constexpr double kOff = 0.1;  // largest error of the mass that is accepted [kg]
 
 constexpr const char* kUsage = R"(usage: rme_guided [options]
 
@@ -43,7 +43,7 @@ when the person lets go.
   --physics NAME  synthetic (default), or mujoco if this was built with it
   --help          this text
 
-Exit codes: 0 done; 1 the mass was off by more than 0.15 kg in a run with rme; 2 unusable arguments.
+Exit codes: 0 done; 1 the mass was off by more than 0.1 kg in a run with rme; 2 unusable arguments.
 )";
 
 enum class Carries { Nothing, Estimate, Truth };
