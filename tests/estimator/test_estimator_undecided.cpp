@@ -49,4 +49,19 @@ TEST_CASE("Undecided: what stands on a table is lifted, and at once if the host 
   }
 }
 
+TEST_CASE("Undecided: an object that leaves its table slowly is not taken for a lighter one that swings",
+          "[undecided]") {
+  for (const std::uint64_t seed : {7u, 17u, 27u}) {
+    CAPTURE(seed);
+    RigidHold hold;
+    hold.rise = 0.05;
+    hold.duration = 2;
+    hold.mass = 1;
+    hold.seed = seed;
+    const RigidHoldResult with = hold_fast(hold);
+    CHECK(with.sag < 0.004);
+    CHECK(std::abs(with.believed - 1) < 3 * with.std + 0.02);
+  }
+}
+
 }  // namespace

@@ -26,8 +26,8 @@ struct Load {
 ///
 ///     tau_j = h_j^T x + offset - d coulomb - dq viscous + residual + s stiction + gain load_j + noise
 ///
-/// with d the mean direction of motion, s the share of the block in which the joint rests, and the load that it bears. What a kind of sensing
-/// does not see has no variance. Real time: nothing allocates.
+/// with d the mean direction of motion, s the share of the block in which the joint rests, and the load that it bears. What
+/// a kind of sensing does not see has no variance. Real time: nothing allocates.
 template <typename Scalar, int Dofs>
 class JointTorqueModel {
  public:
@@ -130,7 +130,6 @@ class JointTorqueModel {
   Load<Scalar, Dofs> load(const Star& star) const noexcept {
     Load<Scalar, Dofs> out;
     out.mass = std::min(std::max(star.mass(), Scalar(0)), rated_);
-    out.torque = JointVector<Scalar, Dofs>::Zero();
     if (!star.empty()) out.torque = detail::product(block_.regressor, star.payload_mean());
     return out;
   }

@@ -111,6 +111,8 @@ struct Transitions {
         const double never = !empty && story.log_none ? at_once : 0;
         const bool swings = story.star.swings();
         const double turns = empty ? 0 : swings ? kSwingEnds : kSwings * kind.faint;
+        // The force of a swing explains almost every block, that of a payload which was drawn too light included.
+        const bool asks = !explained || (swings && soon);
         goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up - turns);
         if (turns > 0 && (swings ? soon : !explained)) {
           Transition t = to(Mode::Held, swings ? turns * kSoon : turns);
@@ -122,14 +124,14 @@ struct Transitions {
           quickly.quick = true;
           use(quickly);
         }
-        if (!explained) {
+        if (asks) {
           use(to(Mode::Changing, change));
           drawn(at_once, empty ? hangs : 0, false);
           disturbed(kDisturbs, Disturbing::Hand);
           disturbed(kind.jolt, Disturbing::Jolt);
         }
         if (slow) use(to(Mode::Pouring, pours * kSlow));
-        if (!empty && !explained) use(to(Mode::Empty, at_once));
+        if (!empty && asks) use(to(Mode::Empty, at_once));
         if (never > 0 && slow) {
           Transition none = to(Mode::Empty, never * kSlow);
           none.never = true;
