@@ -5,6 +5,7 @@
 #  - the counting of allocations, and memcheck: a sanitizer brings a heap of its own;
 #  - tests that compare numbers alone (NUMBERS in the CMakeLists.txt): what they call runs in the tests of bad input, of
 #    hosts, of the active-set solver, and in the soak;
+#  - single test cases of this kind that take long, below;
 #  - the programs and their tests, but for those that read files: logs, URDFs, settings, weights;
 #  - other libraries' physics and dynamics, which are not instrumented;
 #  - most of the soak.
@@ -29,4 +30,5 @@ say "building with $jobs jobs"
 cmake --build build-asan-ubsan --parallel "$jobs"
 say "testing"
 export LSAN_OPTIONS=suppressions=$PWD/tests/leak_suppressions.txt:print_suppressions=0
-exec ctest --test-dir build-asan-ubsan --no-tests=error --output-on-failure -j "$jobs" "$@"
+numbers="to the last bit|at 50 Hz to 4 kHz|of 2000 random polytopes"
+exec ctest --test-dir build-asan-ubsan --no-tests=error --output-on-failure -j "$jobs" -E "$numbers" "$@"

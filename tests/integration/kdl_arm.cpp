@@ -1,6 +1,5 @@
 #include "integration/kdl_arm.hpp"
 
-#include <Eigen/Cholesky>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainjnttojacsolver.hpp>
 #include <kdl_parser/kdl_parser.hpp>
@@ -52,12 +51,6 @@ Eigen::MatrixXd KdlArm::mass_matrix(const Eigen::VectorXd& q) const {
   Eigen::MatrixXd out(dofs(), dofs());
   for (int j = 0; j < dofs(); ++j) out.col(j) = inverse_dynamics(q, rest, Eigen::VectorXd::Unit(dofs(), j), false);
   return out;
-}
-
-Eigen::VectorXd KdlArm::forward_dynamics(const Eigen::VectorXd& q, const Eigen::VectorXd& dq,
-                                         const Eigen::VectorXd& tau) const {
-  const Eigen::VectorXd bias = inverse_dynamics(q, dq, Eigen::VectorXd::Zero(dofs()));
-  return mass_matrix(q).ldlt().solve(tau - bias);
 }
 
 KDL::JntArray KdlArm::chain_position(const Eigen::VectorXd& q) const {

@@ -28,9 +28,6 @@ class KdlArm {
   Eigen::VectorXd inverse_dynamics(const Eigen::VectorXd& q, const Eigen::VectorXd& dq, const Eigen::VectorXd& ddq,
                                    bool gravity = true) const;
   Eigen::MatrixXd mass_matrix(const Eigen::VectorXd& q) const;
-  /// Acceleration under a torque and gravity.
-  Eigen::VectorXd forward_dynamics(const Eigen::VectorXd& q, const Eigen::VectorXd& dq,
-                                   const Eigen::VectorXd& tau) const;
 
   Eigen::Vector3d position(const Eigen::VectorXd& q) const;
   Eigen::Matrix3d rotation(const Eigen::VectorXd& q) const;

@@ -1,5 +1,6 @@
 // Models and physics that others wrote: Orocos KDL reads the same URDF files, and moves the arm that the estimator
 // holds.
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -146,9 +147,11 @@ Found live(const Arm& arm, double rated, double mass, bool moving, const Faults&
     if (k == static_cast<int>(detach / dt)) plant.detach();
     // The arm's physics over a period under a constant torque.
     const Vector before = dq;
-    if (faults.coulomb == 0) {  // the midpoint's
-      const Vector half = dq + 0.5 * dt * plant.forward_dynamics(q, dq, tau);
-      dq += dt * plant.forward_dynamics(q + 0.5 * dt * dq, half, tau);
+    if (faults.coulomb == 0) {  // the midpoint's, with the mass matrix of that point
+      const Vector middle = q + 0.5 * dt * dq;
+      const Eigen::LDLT<Eigen::MatrixXd> M(plant.mass_matrix(middle));
+      const Vector half = dq + 0.5 * dt * M.solve(tau - plant.inverse_dynamics(q, dq, Vector::Zero()));
+      dq += dt * M.solve(tau - plant.inverse_dynamics(middle, half, Vector::Zero()));
       q += dt * half;
     } else {  // what friction can stop within the period, it stops
       const Eigen::MatrixXd inverse = plant.mass_matrix(q).inverse();
