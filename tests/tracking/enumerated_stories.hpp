@@ -268,6 +268,18 @@ class EnumeratedStories {
     }
     return observe(model, star, nullptr, swinging != nullptr ? &swinging->swing : nullptr, &shown);
   }
+  /// A Student t's as the mixture that it is: Gaussians of all variances, S / g, with g from a gamma distribution of mean 1.
+  static double log_density(double square, double variance, double tails) {
+    if (tails == 0) return -0.5 * (square / variance + std::log(variance));
+    const double shape = 0.5 * tails, rate = shape + 0.5 * square / variance;  // e^(-rate g) is all that has e
+    static const double integral = [shape] {                                   // over u = rate g
+      double sum = 0;
+      for (double u = 0.0005; u < 60; u += 0.001) sum += 0.001 * std::pow(u, shape - 0.5) * std::exp(-u);
+      return std::log(sum);
+    }();
+    return shape * std::log(shape) - std::lgamma(shape) - 0.5 * std::log(variance) + integral -
+           (shape + 0.5) * std::log(rate);
+  }
   double observe(const Model& model, StarGaussian<double, Dofs>& star, Pour<double, Dofs>* pour,
                  Swing<double, Dofs>* swing = nullptr, const StarGaussian<double, Dofs>* bears = nullptr) {
     const auto& about = bears != nullptr ? *bears : star;
@@ -277,7 +289,7 @@ class EnumeratedStories {
     double out = 0;
     for (int j = 0; j < Dofs; ++j) {  // no joint's stiction jumps while the arm rests
       const auto p = star.predict(j, model.observation(j, load, star.swings()));
-      out -= 0.5 * (p.innovation * p.innovation / p.variance + std::log(p.variance));
+      out += log_density(p.innovation * p.innovation, p.variance, model.kind().tails);
       if (pour != nullptr) pour->observe(star, p);
       if (swing != nullptr) swing->observe(star, p);
       star.observe(j, p);

@@ -43,6 +43,7 @@ struct SensingKind {
   double slowly;            ///< what begins softly, relative to an arm whose torque shows it: pours, contact
   double faint;             ///< share of what pulls lightly, relative to an arm whose torque shows it: touches, swings
   double depth;             ///< log odds at which a story is given up [nats]
+  double tails;             ///< degrees of freedom of the noise, as stories are weighed by it; 0: it is Gaussian
   double spread;            ///< reported standard deviations, relative to the filters'
   double gain;              ///< relative error of the torque: no payload is known better
   double quiet;             ///< innovation squared per joint below which a block is explained; 0: never
@@ -52,13 +53,13 @@ struct SensingKind {
 /// The kinds, in the order of Sensing.
 inline constexpr std::array<SensingKind, kSensings> kSensingKinds = {{
     // evidence friction lag tool; residual least largest way; turn creep creep_at_rest stiction turn_noise stop_noise
-    // slow; own common size memory settles; change takes_up jolt slowly faint depth; spread gain quiet draws
-    {-8, 0, 0.05, 0.003, 0.015, 0.005, 0.1, 0.7,  0, 0, 0,  0, 0, 0,   0,
-     4,  0, 0,    0.96,  100,   1e-3,  0,   1e-3, 1, 1, 20, 1, 0, 1.5, true},
-    {0, 1, 0.05, 0.003, 0.015, 0.005, 0.1,  0.7,  0, 0.05, 0,  0, 0, 0,   0,
-     4, 0, 0,    0.96,  100,   1e-3,  2e-4, 1e-3, 1, 0,    20, 1, 0, 1.5, true},
-    {-40, 1, 0,   0.003, 0.3, 0.1,     4,      1.2,  1,    0.5, 0.5, 16,  6,    20, 0.003,
-     0,   1, 0.5, 0.9,   1e9, 1.25e-5, 2.5e-5, 1e-2, 0.01, 0,   25,  1.5, 0.02, 0,  false},
+    // slow; own common size memory settles; change takes_up jolt slowly faint depth; tails spread gain quiet draws
+    {-8, 0, 0.05, 0.003, 0.015, 0.005, 0.1,  0.7, 0, 0,  0, 0, 0, 0,   0,   4,
+     0,  0, 0.96, 100,   1e-3,  0,     1e-3, 1,   1, 20, 0, 1, 0, 1.5, true},
+    {0, 1, 0.05, 0.003, 0.015, 0.005, 0.1,  0.7, 0, 0.05, 0, 0, 0, 0,   0,   4,
+     0, 0, 0.96, 100,   1e-3,  2e-4,  1e-3, 1,   0, 20,   0, 1, 0, 1.5, true},
+    {-40, 1,   0,   0.003, 0.3,     0.1,    4,    1.2,  1, 0.5, 0.5, 16,  6,    20, 0.003, 0,
+     1,   0.5, 0.9, 1e9,   1.25e-5, 2.5e-5, 1e-2, 0.01, 0, 25,  8,   1.5, 0.02, 0,  false},
 }};
 
 /// The row of a kind.

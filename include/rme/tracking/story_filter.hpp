@@ -39,7 +39,11 @@ class StoryFilter {
                detail::dot(payload.com_mean, payload.com_mean) + detail::dot(payload.com_std, payload.com_std),
                gravity),
         payload_(payload),
-        rated_(rated_payload) {}
+        rated_(rated_payload),
+        tails_(static_cast<Scalar>(kind.tails)),
+        log_tails_(tails_ > 0 ? static_cast<Scalar>(std::lgamma(0.5 * (kind.tails + 1)) -
+                                                    std::lgamma(0.5 * kind.tails) - 0.5 * std::log(0.5 * kind.tails))
+                              : Scalar(0)) {}
 
   Model& model() noexcept { return model_; }              ///< of the arm; its block is the one that is taken in
   const Model& model() const noexcept { return model_; }  ///< the same
@@ -234,7 +238,7 @@ class StoryFilter {
     for (int j = 0; j < Dofs; ++j) {
       auto p = star.predict(j, model_.observation(j, load, star.swings()));
       const Scalar square = p.innovation * p.innovation;
-      const auto log_density = [square](Scalar v) { return Scalar(-0.5) * (square / v + log(v)); };
+      const auto log_density = [this, square](Scalar v) { return this->log_density(square, v); };
       if (const Scalar jump = model_.stiction_jump(star, j); jump > 0) {  // a mixture of both
         const Scalar stays = log_density(p.variance), jumps = log_density(p.variance + jump);
         const Scalar share = Scalar(1) / (Scalar(1) + exp(stays - jumps));
@@ -254,6 +258,13 @@ class StoryFilter {
     return log_likelihood;
   }
 
+  /// Log density of an innovation [nats], without the constant factor of 2 pi (docs/theory.md (T68)). What the model of an
+  /// arm misses is not Gaussian: with Gaussian weights, single blocks decide what is held.
+  Scalar log_density(Scalar square, Scalar variance) const noexcept {
+    using std::log;
+    if (!(tails_ > 0)) return Scalar(-0.5) * (square / variance + log(variance));
+    return log_tails_ - Scalar(0.5) * ((tails_ + 1) * log(1 + square / (tails_ * variance)) + log(variance));
+  }
   /// Log probability that the mass is plausible: neither indistinguishable from zero nor too large for the arm.
   /// @param lightest  mass that counts as nothing, per rated payload
   Scalar log_plausible(const Star& star, double lightest) const noexcept {
@@ -267,7 +278,7 @@ class StoryFilter {
 
   Model model_;
   PayloadPrior<Scalar> payload_;
-  Scalar rated_;
+  Scalar rated_, tails_, log_tails_;
 };
 
 }  // namespace rme
