@@ -319,7 +319,7 @@ TEST_CASE("KDL: at rest under friction that nobody told, an estimate does not fo
   double sum = 0;
   int lives = 0, beyond = 0, outside = 0, ghosts = 0;
   const auto live_often = [&](const Arm& arm, double rated, const std::vector<double>& masses) {
-    for (unsigned seed = 17; seed < 29; ++seed) {
+    for (unsigned seed = 17; seed < 23; ++seed) {
       for (const double mass : masses) {
         for (const Faults& faults : {kQuiet, kBoth}) {
           const Found found = live<6>(arm, rated, mass, false, faults, seed);
@@ -343,8 +343,8 @@ TEST_CASE("KDL: at rest under friction that nobody told, an estimate does not fo
   CAPTURE(lives);
   CHECK(sum / lives < kRough.least);
   CHECK(beyond <= lives / 5);
-  CHECK(outside <= 2);  // of 168
-  CHECK(ghosts <= 4);
+  CHECK(outside <= 1);  // of 84
+  CHECK(ghosts <= 2);
 }
 
 // Hidden: a target that is not reached at rest, nor always can be. There friction may hold any torque up to its size:
