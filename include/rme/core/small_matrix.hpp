@@ -51,11 +51,9 @@ template <typename Scalar, int Rows, int Inner>
 Eigen::Matrix<Scalar, Rows, Rows> outer_square(const Eigen::Matrix<Scalar, Rows, Inner>& A) noexcept {
   Eigen::Matrix<Scalar, Rows, Rows> out;
   for (int j = 0; j < Rows; ++j) {
-    for (int i = j; i < Rows; ++i) {
-      Scalar sum = A.coeff(i, 0) * A.coeff(j, 0);
-      for (int k = 1; k < Inner; ++k) sum += A.coeff(i, k) * A.coeff(j, k);
-      out.coeffRef(i, j) = out.coeffRef(j, i) = sum;
-    }
+    Eigen::Matrix<Scalar, Rows, 1> sum = column(A, 0) * A.coeff(j, 0);
+    for (int k = 1; k < Inner; ++k) sum += column(A, k) * A.coeff(j, k);
+    for (int i = j; i < Rows; ++i) out.coeffRef(i, j) = out.coeffRef(j, i) = sum[i];
   }
   return out;
 }

@@ -178,18 +178,25 @@ class StarGaussian {
   void forget_payload() noexcept {
     if (empty()) return;
     end_swing();
-    XMatrix arm = covariance();
-    for (int i = 0; i < kShared; ++i)
-      for (int k = 0; k < kShared; ++k)
-        if (i >= kArmShared || k >= kArmShared) arm(i, k) = Scalar(0);
-    X mean = mean_;
-    for (int i = kArmShared; i < kShared; ++i) mean[i] = Scalar(0);
-    restate(mean, arm, [](const Slope& cross, const Slope&) {
-      Slope kept = cross;
-      for (int i = 0; i < kJointNuisances; ++i)
-        for (int k = kArmShared; k < kShared; ++k) kept(k, i) = Scalar(0);
-      return kept;
-    });
+    Eigen::Matrix<Scalar, kArmShared, kShared> rows;  // of F: what belongs to the arm
+    for (int k = 0; k < kShared; ++k)
+      for (int i = 0; i < kArmShared; ++i) rows(i, k) = factor_(i, k);
+    const SingularCholesky<Scalar, kArmShared> factor(detail::outer_square(rows));
+    if (!factor.finite()) return;
+    const Eigen::Matrix<Scalar, kArmShared, kArmShared> inverse = factor.inverse_lower();
+    Eigen::Matrix<Scalar, kArmShared, 1> mean;
+    for (int i = 0; i < kArmShared; ++i) mean[i] = mean_[i];
+    for (int j = 0; j < Dofs; ++j) {
+      Joint& joint = this->joint(j);
+      const Slope spread = detail::transposed_product(factor_, joint.slope);
+      BetaMatrix V = joint.covariance;
+      V += detail::transposed_product(spread, spread);
+      joint = given_shared<kArmShared>(inverse, mean, nuisance_mean(j), detail::product(rows, spread), V);
+    }
+    factor_.setZero();
+    for (int k = 0; k < kArmShared; ++k)
+      for (int i = k; i < kArmShared; ++i) factor_(i, k) = factor.lower()(i, k);
+    for (int i = kArmShared; i < kShared; ++i) mean_[i] = Scalar(0);
     size_ = kArmShared;
   }
   /// Puts a payload phi ~ N(mean, factor factor^T), independent of everything else, in place of the present one.
@@ -487,21 +494,26 @@ class StarGaussian {
       const Slope cross = detail::product(before, joint.slope);
       BetaMatrix V = joint.covariance;
       V += detail::transposed_product(joint.slope, cross);
-      joint = given_shared(inverse, mean, nuisance_mean(j), moments(cross, joint.slope), V);
+      joint = given_shared<kShared>(inverse, mean, nuisance_mean(j), moments(cross, joint.slope), V);
     }
     factor_ = factor.lower();
     mean_ = mean;
     return true;
   }
-  /// Gaussian of a joint's nuisances given x, from the moments of both.
+  /// Gaussian of a joint's nuisances given the first Size entries of x, from the moments of both.
   /// @param inverse         L^-1 of cov(x) = L L^T
   /// @param x               E[x]
   /// @param mean, cross, V  E[beta], cov(x, beta), cov(beta)
-  static Joint given_shared(const XMatrix& inverse, const X& x, const Beta& mean, const Slope& cross,
+  template <int Size>
+  static Joint given_shared(const Eigen::Matrix<Scalar, Size, Size>& inverse, const Eigen::Matrix<Scalar, Size, 1>& x,
+                            const Beta& mean, const Eigen::Matrix<Scalar, Size, kJointNuisances>& cross,
                             const BetaMatrix& V) noexcept {
-    const Slope white = detail::product(inverse, cross);
-    Joint joint{mean, detail::transposed_product(inverse, white), V};
-    detail::add_scaled(joint.mean, Scalar(-1), detail::transposed_product(joint.slope, x));
+    const Eigen::Matrix<Scalar, Size, kJointNuisances> white = detail::product(inverse, cross);
+    const Eigen::Matrix<Scalar, Size, kJointNuisances> slope = detail::transposed_product(inverse, white);
+    Joint joint{mean, Slope::Zero(), V};
+    for (int i = 0; i < kJointNuisances; ++i)
+      for (int k = 0; k < Size; ++k) joint.slope(k, i) = slope(k, i);
+    detail::add_scaled(joint.mean, Scalar(-1), detail::transposed_product(slope, x));
     for (int i = 0; i < kJointNuisances; ++i) {
       for (int k = 0; k <= i; ++k) {
         const Scalar shown = detail::column(white, i).dot(detail::column(white, k));

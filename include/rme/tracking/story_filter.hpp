@@ -204,8 +204,9 @@ class StoryFilter {
   /// the mass that the block shows.
   /// @return what the joints bear then, as far as the block shows it
   Load<Scalar, Dofs> draw(Tale& child, Tale& first, Innovation& out) noexcept {
-    child.star.draw_payload(payload_.mean(), payload_.factor(payload_.square_mass()));
+    child.star.forget_payload();
     first.star = child.star;
+    first.star.draw_payload(payload_.mean(), payload_.factor(payload_.square_mass()));
     first.mode = Mode::Held;
     (void)update(first, out);
     const Scalar mass = std::max(Scalar(0.02) * rated_, std::min(rated_, first.star.mass()));

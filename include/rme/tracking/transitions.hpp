@@ -53,7 +53,7 @@ struct Transitions {
   /// fast has a lag of 1 or -0.5.
   static constexpr double kLate = 0.5;
   static constexpr int kSlow = 10;  ///< blocks from one pour that begins to the next
-  static constexpr int kSoon = 5;   ///< blocks from one pour that ends, or wrench that turns out a weight, to the next
+  static constexpr int kSoon = 5;   ///< of quick pours that begin, pours that end, wrenches that turn out weights
   static constexpr int kMost = 11;  ///< most transitions of one story
 
   /// Calls use(transition) for each transition of a story.
@@ -119,8 +119,8 @@ struct Transitions {
           t.swings = !swings;
           use(t);
         }
-        if (takes_up > 0) {
-          Transition quickly = to(Mode::Pouring, takes_up);
+        if (takes_up > 0 && (!explained || soon)) {
+          Transition quickly = to(Mode::Pouring, explained ? takes_up * kSoon : takes_up);
           quickly.quick = true;
           use(quickly);
         }
