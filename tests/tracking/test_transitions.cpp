@@ -79,6 +79,7 @@ TEST_CASE("Transitions: a story goes on in one way, and has no more children tha
 TEST_CASE("Transitions: while a story explains the block, nothing begins but what is slow", "[transitions]") {
   for_all_stories([](const Story& story, const rme::SensingKind& kind) {
     if (story.mode != Mode::Empty && story.mode != Mode::Held) return;
+    double taken_up = 0;  // quickly
     for (long block = 0; block < 2 * Transitions::kSlow; ++block) {
       const bool swings = story.star.swings(), soon = block % Transitions::kSoon == 0;
       bool drawn = false;
@@ -86,10 +87,13 @@ TEST_CASE("Transitions: while a story explains the block, nothing begins but wha
         CHECK((t.goes_on || t.mode == Mode::Pouring || t.never || (swings && soon)));
         if (t.never) CHECK(block % Transitions::kSlow == 0);
         if (t.mode == Mode::Pouring && !t.quick) CHECK(block % Transitions::kSlow == 0);
+        if (t.mode == Mode::Pouring && t.quick) CHECK(soon);
+        if (t.mode == Mode::Pouring && t.quick) taken_up += t.probability;
         drawn = drawn || t.anew;
       });
       CHECK(drawn == (swings && soon));  // a swing explains almost anything
     }
+    CHECK(taken_up == Approx(story.mode == Mode::Empty ? 2 * Transitions::kSlow * kind.takes_up : 0).margin(1e-15));
   });
 }
 
