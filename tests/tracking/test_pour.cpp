@@ -1,3 +1,4 @@
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
 #include <rme/tracking/pour.hpp>
@@ -108,6 +109,47 @@ TEST_CASE("Pour: payload and rate are what one dense filter over both makes of r
       if (std::abs(star.mass()) < 0.022 && std::abs(star.mass()) > 0.02) break;  // where the rule changes
     }
   }
+}
+
+TEST_CASE("Pour: what is held later is what the rate makes of it, and less certain by what is not known of the rate",
+          "[pour]") {
+  const unsigned seed = 572;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Star star = holding(0.5);
+  Pour pour;
+  pour.begin(star, prior(), kRated, true);
+  for (int k = 0; k < 5; ++k) {
+    pour.predict(star, kBlock, prior(), kRated);
+    for (int j = 0; j < kDofs; ++j) {
+      auto o = weighing(0.5 + 0.04 * k, 2 * k + j, 0.02);
+      o.torque += 0.02 * normal(random);
+      const auto p = star.predict(j, o);
+      pour.observe(star, p);
+      star.observe(j, p);
+    }
+  }
+  // phi + t (rate, 0), sampled: the rate's part of it is what an observation of phi leaves open. The time's square and its
+  // first power show in differences.
+  const auto now = pour.payload_after(star, 0);
+  CHECK((now.mean - star.payload_mean()).norm() < 1e-12);
+  CHECK((now.covariance - star.payload_covariance()).norm() < 1e-12);
+  const auto before = pour.payload_after(star, -0.1), after = pour.payload_after(star, 0.1);
+  CHECK(after.mean[0] == Approx(star.mass() + 0.1 * pour.rate()));
+  CHECK((after.mean + before.mean - 2 * now.mean).norm() < 1e-12);
+  for (int i = 4; i < kInertial; ++i) CHECK(after.mean[i] == now.mean[i]);
+  // Where x does not tell the rate, the filter's own time update adds the same: its noise is 0.002 s of the spread.
+  Star moved = star;
+  Pour goes_on = pour;
+  constexpr double kShort = 1e-5;
+  goes_on.predict(moved, kShort, prior(), kRated);
+  const rme::InertialMatrix<double> drift = moved.payload_covariance() - star.payload_covariance(),
+                                    ahead = pour.payload_after(star, kShort).covariance - now.covariance;
+  const double flow = kShort * 0.002 * kRated * kRated;  // of the mass; about it, 0.7 of the prior's spread of r
+  CHECK(drift(0, 0) - ahead(0, 0) == Approx(flow).epsilon(1e-3));
+  CHECK(ahead(0, 0) > 0);
+  CHECK(Eigen::SelfAdjointEigenSolver<Matrix>(after.covariance).eigenvalues().minCoeff() > -1e-12);
 }
 
 TEST_CASE("Pour: a steady flow is followed in mass and rate, into an empty hand, into a held thing and out of it",

@@ -345,6 +345,33 @@ TEST_CASE("BlockAverager: the torque's resolution and the noise of dq are measur
   CHECK(mean[2] < 1e-11);  // where learning begins is forgotten
 }
 
+TEST_CASE("BlockAverager: a velocity within the resolution of dq is none", "[block]") {
+  // Rounded down in steps of 10 mrad/s, and half a step added, as motors on a bus do: at rest a joint says 5 mrad/s, or
+  // -5 mrad/s, and nothing changes.
+  constexpr double kStep = 0.01;
+  const auto reported = [](double v) { return kStep * (std::floor(v / kStep) + 0.5); };
+  Averager averager(50, kGravity, Averager::kDuration);
+  Sample s = at_rest();
+  const auto run = [&](int from, int to, const Joints& at, const Joints& faster) {  // ms; [rad/s], [rad/s^2]
+    for (int k = from; k < to; ++k) {
+      s.dq = (at + 1e-3 * (k - from) * faster).unaryExpr(reported);
+      (void)averager.add(s, 1e-3, 1e-3 * k);
+    }
+    return averager.block();
+  };
+  const Joints rest(0, -1e-6, 0), starts(1, -1, 0);
+  Block block = run(0, 100, rest, Joints::Zero());  // no change yet
+  CHECK((block.velocity == Joints::Zero() && block.velocities.isZero()));
+  block = run(100, 201, rest, starts);
+  CHECK(block.velocity[0] == Approx(0.09).margin(0.006));
+  CHECK(block.velocity[1] == Approx(-0.09).margin(0.006));
+  block = run(201, 301, 0.02 * starts, Joints::Zero());  // slow, but moving
+  CHECK(block.velocity[0] == Approx(0.02).margin(0.006));
+  CHECK(block.velocities(1, 3) == Approx(-0.02).margin(0.006));
+  block = run(301, 401, rest, Joints::Zero());
+  CHECK((block.velocity == Joints::Zero() && block.velocities.isZero()));
+}
+
 /// Blocks of an arm that moves evenly, its dq under white noise, of one joint that lifts the flange by 0.5 m/rad.
 std::vector<Block> noisy_blocks(double noise, unsigned seed, double acceleration, int milliseconds) {
   std::mt19937_64 random(seed);

@@ -116,8 +116,10 @@ class Histories {
     return exp(story(i).log_weight);
   }
   /// The payload of story(i), given what it says of the last block. While something changes, that is the payload which
-  /// this block alone shows, unless the torque is too rough for one block to show anything.
+  /// this block alone shows, unless the torque is too rough for one block to show anything. While something pours, it is
+  /// that of the middle of the next block, for which the host carries it.
   InertialGaussian<Scalar> payload(int i) const noexcept {
+    if (story(i).mode == Mode::Pouring) return story(i).pour.payload_after(story(i).star, model().block().duration);
     return story(i).mode == Mode::Changing && model().kind().draws ? fresh_ : payload_in(story(i).star);
   }
   /// Whether story(i) says that something is held.

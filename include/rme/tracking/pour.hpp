@@ -5,6 +5,7 @@
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/payload_belief.hpp>
 #include <rme/tracking/rate.hpp>
 #include <rme/tracking/star_gaussian.hpp>
 
@@ -42,18 +43,35 @@ class Pour {
     rate_.covariance *= keep * keep;
     detail::add_scaled(rate_.covariance, Scalar(1) - keep * keep, noise);
     star.drift(duration, rate_.mean, rate_.cross, rate_.covariance,
-               detail::scaled(duration * Scalar(kFlowTime), noise));
+               detail::scaled(duration * Scalar(quick_ ? kQuickFlowTime : kFlowTime), noise));
   }
   /// Updates the rate with an observation; to be called before star.observe(j, p).
   void observe(const Star& star, const typename Star::Prediction& p) noexcept { rate_.observe(star, p); }
+  /// What is held some time after the middle of the last block, if it pours on as it does.
+  /// @param star  state
+  /// @param time  since then [s]
+  InertialGaussian<Scalar> payload_after(const Star& star, Scalar time) const noexcept {
+    InertialGaussian<Scalar> out{star.payload_mean(), star.payload_covariance()};
+    for (int k = 0; k < 4; ++k) {
+      out.mean[k] += time * rate_.mean[k];
+      for (int i = 0; i < kInertial; ++i) {  // cov(phi, rate)
+        const Scalar cross = rate_.cross(kPayload + i, k) + (i < 4 ? rate_.cross(kPoured + i, k) : Scalar(0));
+        out.covariance(i, k) += time * cross;
+        out.covariance(k, i) += time * cross;
+      }
+      for (int i = 0; i < 4; ++i) out.covariance(i, k) += time * time * rate_.covariance(i, k);
+    }
+    return out;
+  }
   Scalar rate() const noexcept { return rate_.mean[0]; }  ///< of the mass [kg/s]
 
  private:
   static constexpr double kRate = 0.03;  // standard deviation of the rate of mass per rated payload [1/s]
-  static constexpr double kQuickRate = 0.4, kQuickTime = 0.5;  // the same of what is taken up quickly
-  static constexpr double kRateTime = 3;                       // correlation time of the rate [s]
+  static constexpr double kQuickRate = 1, kQuickTime = 0.5;  // the same of what is taken up quickly
+  static constexpr double kRateTime = 3;                     // correlation time of the rate [s]
   static constexpr double kFlowTime = 0.02;  // the flow's own noise: what flows at kRate in this time, each time [s]
-  static constexpr double kSpread = 0.7;     // spread of what is poured about the payload's centre, in com_std
+  static constexpr double kQuickFlowTime = 0.002;  // the same of what is taken up quickly
+  static constexpr double kSpread = 0.7;           // spread of what is poured about the payload's centre, in com_std
 
   /// Covariance of the rate before anything is known of it: along the payload's own (m, m r), and about it.
   Matrix4<Scalar> stationary(const Star& star, const PayloadPrior<Scalar>& prior, Scalar rated) const noexcept {

@@ -1,7 +1,10 @@
 #pragma once
 /// Averages samples over 20 to 60 ms: the tracker's measurement.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <rme/core/flange_motion.hpp>
 #include <rme/core/small_matrix.hpp>
@@ -25,9 +28,11 @@ struct TorqueBlock {
   JointVector<Scalar, Dofs> torque_rate;
   /// J^T Y of (T10): d tau / d phi. The flange's acceleration in it is the posterior mean, unless the host gives it.
   Eigen::Matrix<Scalar, Dofs, kInertial> regressor;
-  Jacobian<Scalar, Dofs> jacobian;                      ///< of the last sample
-  Matrix3<Scalar> rotation;                             ///< of the last sample
-  JointVector<Scalar, Dofs> velocity;                   ///< mean of dq [rad/s]
+  Jacobian<Scalar, Dofs> jacobian;  ///< of the last sample
+  Matrix3<Scalar> rotation;         ///< of the last sample
+  /// Mean of dq [rad/s]. If dq is rounded, what is no more than three quarters of its smallest change so far is zero, here
+  /// and in `velocities`: a joint at rest may report half a step for ever. So is everything before the first change.
+  JointVector<Scalar, Dofs> velocity;
   Eigen::Matrix<Scalar, Dofs, kBlockParts> velocities;  ///< mean of dq over each part of the block [rad/s]
   JointVector<Scalar, Dofs> torque_step;                ///< smallest change of tau_ext so far; 0 if none [N m]
   JointVector<Scalar, Dofs> velocity_noise;             ///< learned variance of the noise of dq [(rad/s)^2]
@@ -131,6 +136,7 @@ class BlockAverager {
   // Standard deviation of a block's acceleration due to noise of dq, above which blocks are made longer [m/s^2].
   static constexpr double kFeigned = 0.02;
   static constexpr int kNoiseMemory = 50;    // memory of the noise of dq in blocks: 1 s
+  static constexpr double kResolved = 0.75;  // velocity that is none, per resolution of dq
   static constexpr double kNoisiest = 1e-4;  // bound of the variance of dq's noise in the first block [(rad/s)^2]
 
   double intended() const noexcept { return begins_ ? 0.5 * target_ : target_; }  // duration of the current block [s]
@@ -157,6 +163,9 @@ class BlockAverager {
   JointVector<Scalar, Dofs> torque_ = JointVector<Scalar, Dofs>::Zero();
   JointVector<Scalar, Dofs> difference_ = JointVector<Scalar, Dofs>::Zero();  // last change of dq, sample to sample
   JointVector<Scalar, Dofs> step_ = JointVector<Scalar, Dofs>::Zero();
+  std::array<bool, static_cast<std::size_t>(Dofs)> rounds_{};  // two samples of dq were the same: it is rounded
+  // Smallest change of dq so far [rad/s].
+  JointVector<Scalar, Dofs> velocity_step_ = JointVector<Scalar, Dofs>::Constant(std::numeric_limits<Scalar>::max());
   int samples_ = 0;
   // Of the current part of the block.
   JointVector<Scalar, Dofs> part_velocity_, part_difference_;  // weighted sums of dq, and of its changes
@@ -284,6 +293,10 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
     if (step > Scalar(1e-7) && (step < step_[j] || step_[j] == Scalar(0))) step_[j] = step;
     // Second differences of dq are free of a constant acceleration. Noise of variance sigma^2 gives them 6 sigma^2.
     const Scalar difference = sample.dq[j] - last_.dq[j], second = difference - difference_[j];
+    if (difference == Scalar(0))
+      rounds_[static_cast<std::size_t>(j)] = true;
+    else if (std::abs(difference) > Scalar(1e-7))
+      velocity_step_[j] = std::min(velocity_step_[j], std::abs(difference));
     if (samples_ > 0) squares_[j] += second * second / Scalar(6);
     difference_[j] = difference;
   }
@@ -336,8 +349,13 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   sums_.torque_rate /= weight_;
   sums_.regressor /= weight_;
   sums_.velocity /= duration_;
-  for (int i = parts_; i < kBlockParts; ++i)
-    for (int j = 0; j < Dofs; ++j) sums_.velocities(j, i) = sums_.velocities(j, parts_ - 1);
+  for (int j = 0; j < Dofs; ++j) {
+    const Scalar least = rounds_[static_cast<std::size_t>(j)] ? Scalar(kResolved) * velocity_step_[j] : Scalar(0);
+    const auto resolved = [least](Scalar v) { return std::abs(v) > least ? v : Scalar(0); };
+    sums_.velocity[j] = resolved(sums_.velocity[j]);
+    for (int i = 0; i < kBlockParts; ++i)
+      sums_.velocities(j, i) = resolved(sums_.velocities(j, std::min(i, parts_ - 1)));
+  }
   learn_noise();
   shrink();
   if (carried_weight_ > Scalar(0.5) * weight_)
