@@ -119,7 +119,8 @@ struct Transitions {
           t.swings = !swings;
           use(t);
         }
-        if (takes_up > 0 && (!explained || soon)) {
+        const bool hides = soon && kind.friction > 0;  // what joint friction carries at first shows in no block
+        if (takes_up > 0 && (!explained || hides)) {
           Transition quickly = to(Mode::Pouring, explained ? takes_up * kSoon : takes_up);
           quickly.quick = true;
           use(quickly);
