@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "paper/injection/payload_injection.hpp"
-#include "replay_log/estimators.hpp"
+#include "precompiled/any_joints.hpp"
 #include "replay_log/options.hpp"
 
 namespace rme::examples {

@@ -22,7 +22,7 @@
 
 #include "io/program.hpp"
 #include "paper/injection/payload_injection.hpp"
-#include "replay_log/estimators.hpp"
+#include "precompiled/any_joints.hpp"
 #include "replay_log/options.hpp"
 
 namespace {

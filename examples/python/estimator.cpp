@@ -2,6 +2,7 @@
 #include <optional>
 #include <rme/runtime_estimator.hpp>
 
+#include "precompiled/any_joints.hpp"
 #include "python/bindings.hpp"
 
 namespace rme::python {

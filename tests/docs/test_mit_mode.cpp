@@ -90,9 +90,9 @@ struct Errors {
   double mean_1s = 0, worst_1s = 0, mean_5s = 0, worst_5s = 0;
 };
 
-/// 72 arms with other offsets, friction and noise each swing for 6 s, and then with the payload.
+/// 36 arms with other offsets, friction and noise each swing for 6 s, and then with the payload.
 Errors errors_with(double friction) {
-  constexpr int kArms = 72, kTakesUp = 3000;  // ticks
+  constexpr int kArms = 36, kTakesUp = 3000;  // ticks
   Errors out;
   for (std::uint64_t seed = 1; seed <= kArms; ++seed) {
     Motors motors(seed);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 #include <pinocchio/parsers/urdf.hpp>
-#include <replay_log/estimators.hpp>
+#include <precompiled/any_joints.hpp>
 #include <string>
 #include <synthetic_arm/six_joint_arm.hpp>
 #include <synthetic_arm/synthetic_arm.hpp>

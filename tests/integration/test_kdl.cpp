@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
-#include <replay_log/estimators.hpp>
+#include <precompiled/any_joints.hpp>
 #include <rivals/kdl_wrench.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <string>

@@ -1,15 +1,9 @@
 #pragma once
-// For tests of classes whose number of joints is known at run time. Link rme_replay.
+// For tests of classes whose number of joints is known at run time. Link rme_precompiled_any_joints.
 #include <cmath>
+#include <precompiled/any_joints.hpp>
 #include <rme/core/compensation.hpp>
-#include <rme/estimator.hpp>
 #include <rme/sensing/proprioception.hpp>
-
-// Compiled with the program replay_log, for all numbers of joints.
-extern template class rme::Estimator<double, 4>;
-extern template class rme::Estimator<double, 5>;
-extern template class rme::Estimator<double, 6>;
-extern template class rme::Estimator<double, 8>;
 
 namespace rme::testing {
 

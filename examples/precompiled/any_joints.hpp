@@ -1,5 +1,5 @@
 #pragma once
-/// The estimators that are compiled in rme_replay, so that programs that link it need not compile them.
+/// The estimators that are compiled in rme_precompiled_any_joints, so that what links it need not compile them.
 #include <rme/estimator.hpp>
 
 namespace rme {
