@@ -1,5 +1,6 @@
 #pragma once
-/// The estimators that are compiled in rme_precompiled_any_joints, so that what links it need not compile them.
+/// The estimators that rme_precompiled_any_joints has, so that what links it need not compile them. That for seven joints is
+/// in rme_precompiled.
 #include <rme/estimator.hpp>
 
 namespace rme {
@@ -7,7 +8,6 @@ namespace rme {
 extern template class Estimator<double, 4>;
 extern template class Estimator<double, 5>;
 extern template class Estimator<double, 6>;
-extern template class Estimator<double, 7>;
 extern template class Estimator<double, 8>;
 
 }  // namespace rme

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 #include <precompiled/any_joints.hpp>
+#include <random>
 #include <rivals/kdl_wrench.hpp>
 #include <rme/sensing/momentum_observer.hpp>
 #include <string>
