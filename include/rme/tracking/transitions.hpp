@@ -119,8 +119,7 @@ struct Transitions {
           t.swings = !swings;
           use(t);
         }
-        const bool hides = soon && kind.friction > 0;  // what joint friction carries at first shows in no block
-        if (takes_up > 0 && (!explained || hides)) {
+        if (takes_up > 0 && (!explained || soon)) {
           Transition quickly = to(Mode::Pouring, explained ? takes_up * kSoon : takes_up);
           quickly.quick = true;
           use(quickly);
