@@ -471,7 +471,7 @@ TEST_CASE(
     CHECK(after.variance == Approx(before.variance + through * through * star.mass_variance()));
   }
   REQUIRE(precision > 0);
-  CHECK(star.mass_variance() == Approx(1 / precision));
+  CHECK(star.mass_variance() == Approx(9 / precision));
 }
 
 TEST_CASE("JointTorqueModel: after a removal the offsets are uncertain by what the gain has drifted since the pick-up",

@@ -179,7 +179,7 @@ class JointTorqueModel {
  private:
   static constexpr double kGainDrift = 0.004;  // random walk of a torque sensor's gain [1/s^(1/2)]
   static constexpr double kStictionShare = 0.6;
-  static constexpr double kHidden = 1;         // standard deviations of all joints together that may hide a payload
+  static constexpr double kHidden = 3;         // standard deviations of all joints together that may hide a payload
   static constexpr double kToolArm = 0.1;      // spread of the tool error's first moment, per kg of its mass [m]
   static constexpr double kTiltSpread = 0.02;  // of gravity's direction [rad]
   static constexpr double kJump = 6.25;        // variance of a jump of the stiction, in stiction variances
