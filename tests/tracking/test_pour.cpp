@@ -130,8 +130,7 @@ TEST_CASE("Pour: what is held later is what the rate makes of it, and less certa
       star.observe(j, p);
     }
   }
-  // phi + t (rate, 0), sampled: the rate's part of it is what an observation of phi leaves open. The time's square and its
-  // first power show in differences.
+  // The mean is linear in the time, and so are its differences.
   const auto now = pour.payload_after(star, 0);
   CHECK((now.mean - star.payload_mean()).norm() < 1e-12);
   CHECK((now.covariance - star.payload_covariance()).norm() < 1e-12);
@@ -139,7 +138,7 @@ TEST_CASE("Pour: what is held later is what the rate makes of it, and less certa
   CHECK(after.mean[0] == Approx(star.mass() + 0.1 * pour.rate()));
   CHECK((after.mean + before.mean - 2 * now.mean).norm() < 1e-12);
   for (int i = 4; i < kInertial; ++i) CHECK(after.mean[i] == now.mean[i]);
-  // Where x does not tell the rate, the filter's own time update adds the same: its noise is 0.002 s of the spread.
+  // The filter's own time update adds the same, and the flow's noise, 0.002 s of the spread.
   Star moved = star;
   Pour goes_on = pour;
   constexpr double kShort = 1e-5;
