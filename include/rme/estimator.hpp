@@ -232,8 +232,10 @@ void Estimator<Scalar, Dofs>::process() noexcept {
     events_.update(state_.probability, block.end - static_cast<double>(block.duration), block.end, state_.time, felt);
     state_.updated = block.end;
     watch_.judge(block, tracker_.belief(), events_);
-    if (state_.probability[Mode::Held] + state_.probability[Mode::Pouring] > Scalar(0.9))
-      guard_.learn(detail::difference(block.tau, detail::product(block.regressor, state_.inertial.mean)));
+    const auto& probability = state_.probability;
+    const bool pushed = probability[Mode::Disturbed] > Scalar(0.9);
+    if (pushed || probability[Mode::Held] + probability[Mode::Pouring] > Scalar(0.9))
+      guard_.learn(block.tau, detail::product(block.regressor, state_.inertial.mean), pushed);
   }
   state_.changing = events_.changing();
   state_.change_onset = events_.onset();

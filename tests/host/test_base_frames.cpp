@@ -81,8 +81,9 @@ TEST_CASE("A base that is tilted for good: tau_ext + g(true) - g(assumed), and t
     return Proprioception<double, 7>{Vector7(external + assumed_minus_true(q)), at.jacobian, at.rotation, {}};
   };
   CHECK(mass_error(believed(config, base, corrected)) < 0.01);
-  // Setting the gravity alone does not do it: the robot's model is still upright.
-  CHECK_FALSE(mass_error(believed(config, base, reported)) < 0.05);
+  // With the gravity alone, the robot's model is still upright: rme has to find out, and is less certain.
+  const auto deviation = [](const EstimatorState<double>& s) { return std::sqrt(s.payload.covariance(0, 0)); };
+  CHECK(deviation(believed(config, base, reported)) > 2 * deviation(believed(config, base, corrected)));
 }
 
 /// What is believed on a base that is tilted by an angle of which nobody knows.
@@ -137,7 +138,7 @@ TEST_CASE("An unknown tilt of 3 to 5 degrees: without the arm's gravity torque, 
     CAPTURE(angle);
     const EstimatorState<double> state = believed_on_tilted_base(angle, false, 6);
     CHECK(state.held > 0.9);
-    CHECK(mass_error(state) < 0.3);
+    CHECK(mass_error(state) < 0.1);
   }
 }
 

@@ -46,6 +46,9 @@ class EnumeratedStories {
 
   /// Takes in the block that `model` has begun.
   void advance(const Model& model) {
+    if (blocks_ == 0)  // no host passes the arm's gravity torque here
+      for (Tale& s : stories)
+        if (s.star.variance(kTilt) < 0.03 * 0.03) s.star.set_tilt(0);
     ++blocks_;
     std::sort(stories.begin(), stories.end(), [](const Tale& a, const Tale& b) { return a.log_weight > b.log_weight; });
     next_.clear();
@@ -66,11 +69,12 @@ class EnumeratedStories {
     const double c = kind.change;
     const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false,
                            bool quick = false, bool late = false, bool turned = false, bool never = false,
-                           bool swings = false, bool gains = false) {
-      const bool same = mode == p.mode && !anew && (mode != Mode::Disturbed || how == p.how) &&
+                           bool swings = false, bool gains = false, bool zeroed = false) {
+      const bool same = mode == p.mode && !anew && !zeroed && (mode != Mode::Disturbed || how == p.how) &&
                         (mode != Mode::Pouring || quick == p.quick) && swings == p.star.swings();
       if (same == goes_on && probability > 0)
-        add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, gains, std::log(probability)));
+        add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, gains, zeroed,
+                    std::log(probability)));
     };
     double gain = 0;
     for (int j = 0; j < Dofs; ++j) gain += p.star.joint(j).covariance(kGain, kGain) / Dofs;
@@ -85,6 +89,9 @@ class EnumeratedStories {
       child(Mode::Disturbed, Transitions::kDisturbs);
       child(Mode::Disturbed, kind.jolt, Disturbing::Jolt);
     };
+    if (p.mode != Mode::Pouring)
+      child(p.payload == 0 ? Mode::Empty : Mode::Held, Transitions::kZeroes, Disturbing::Hand, false, false, false,
+            false, false, p.star.swings(), false, true);
     if (p.mode == Mode::Empty || p.mode == Mode::Held) {
       const double pours = (p.mode == Mode::Empty ? Transitions::kFills : Transitions::kPours) * kind.slowly;
       const double never = p.mode == Mode::Held && p.log_none ? 0.3 * c : 0;
@@ -94,7 +101,7 @@ class EnumeratedStories {
                                                  : Transitions::kSwings * kind.faint;
       child(p.mode,
             1 - (p.mode == Mode::Held ? 1.6 : 1.3) * c - never - Transitions::kDisturbs - kind.jolt - pours - turns -
-                (p.mode == Mode::Empty ? kind.takes_up : 0),
+                Transitions::kZeroes - (p.mode == Mode::Empty ? kind.takes_up : 0),
             Disturbing::Hand, false, false, false, false, false, swings);
       if (!swings)
         child(Mode::Held, turns, Disturbing::Hand, false, false, false, false, false, true);
@@ -115,7 +122,8 @@ class EnumeratedStories {
       child(Mode::Changing, c);
       disturb();
     } else if (p.mode == Mode::Changing) {
-      child(Mode::Changing, 1 - Transitions::kSettles - Transitions::kEmpties - Transitions::kTurnsOut);
+      child(Mode::Changing,
+            1 - Transitions::kSettles - Transitions::kEmpties - Transitions::kTurnsOut - Transitions::kZeroes);
       child(Mode::Disturbed, Transitions::kTurnsOut);
       const bool late = kind.lag > 0 && p.star.variance(kLag) < Transitions::kLate * Transitions::kLate;
       drawn(Transitions::kSettles * (late ? 1 - Transitions::kIsLate : 1), false);
@@ -126,7 +134,7 @@ class EnumeratedStories {
       const double ends = jolt ? Transitions::kJoltEnds : soft ? Transitions::kTouchEnds : Transitions::kDisturbEnds;
       const double turns_out = (soft ? 0.3 : 1) * Transitions::kTurnsOut * std::min(1.0, c / 1e-3);
       child(Mode::Disturbed,
-            1 - ends - (soft ? 2 : 1) * turns_out -
+            1 - Transitions::kZeroes - ends - (soft ? 2 : 1) * turns_out -
                 (jolt ? 0
                       : Transitions::kOther * (p.how != Disturbing::Hand) +
                             Transitions::kSoftOther * (soft ? 1 : 2) * kind.slowly),
@@ -144,12 +152,13 @@ class EnumeratedStories {
   }
 
   Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, bool quick, bool late,
-               bool turned, bool never, bool swings, bool gains, double log_transition) {
+               bool turned, bool never, bool swings, bool gains, bool zeroed, double log_transition) {
     Tale child = parent;
     child.mode = mode;
     child.how = how;
     child.quick = quick;
     model.predict(child.star);
+    if (zeroed) model.zero(child.star);
     if (!swings) child.star.end_swing();
     if (parent.mode == Mode::Pouring && mode != Mode::Pouring) child.star.end_pour();
     child.log_weight += log_transition + (turned  ? turn(model, parent, child)

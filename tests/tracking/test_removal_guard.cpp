@@ -20,7 +20,7 @@ const Vector kBesides = Vector::Constant(0.1);
 
 Guard carrying() {
   Guard guard;
-  guard.learn(kBesides);
+  guard.learn(weight() + kBesides, weight(), false);
   for (int k = 0; k < 100; ++k) guard.update(weight() + kBesides, weight(), kPeriod);
   return guard;
 }
@@ -56,6 +56,21 @@ TEST_CASE("RemovalGuard: torque across the payload's is a push, and cuts nothing
   across[6] = -5;
   for (int k = 0; k < 100; ++k) guard.update(weight() + across + kBesides, weight(), kPeriod);
   CHECK(guard.share() == 1);
+}
+
+TEST_CASE("RemovalGuard: a push that bears more than the payload lets it be carried, one that bears less does not",
+          "[removal_guard]") {
+  for (const auto& [borne, share] : {std::pair(0.9, 0.2), std::pair(1.19, 0.0), std::pair(1.21, 1.0)}) {
+    CAPTURE(borne);
+    const Vector tau = weight() + kBesides - borne * weight();
+    Guard guard = carrying();
+    guard.learn(tau - kBesides, weight(), true);
+    for (int k = 0; k < 100; ++k) guard.update(tau, weight(), kPeriod);
+    CHECK(guard.share() == Approx(share).margin(1e-6));
+    // The push ends: the weight is back.
+    for (int k = 0; k < 100; ++k) guard.update(weight() + kBesides, weight(), kPeriod);
+    CHECK(guard.share() == Approx(1));
+  }
 }
 
 TEST_CASE("RemovalGuard: what comes back is carried again, and too little to be dangerous is left alone",

@@ -274,6 +274,36 @@ TEST_CASE("StarGaussian: given x, a joint's nuisances learn from a torque what t
   }
 }
 
+TEST_CASE("StarGaussian: a sensor that is zeroed turns its offset into what makes the torque zero", "[star]") {
+  const unsigned seed = 528;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (int k = 0; k < 20; ++k) {
+    CAPTURE(k);
+    Star star = random_star(random);
+    if (k % 2 == 1) star.forget_payload();
+    const Dense before = dense(star);
+    const int j = k % kJoints, offset = first(j) + rme::kOffset;
+    auto o = random_observation(random);
+    o.c[rme::kOffset] = 1;
+    constexpr double variance = 0.3;
+    star.zero_torque(j, o, variance);
+    // The new offset is minus all else that the torque has, and independent noise.
+    Matrix T = Matrix::Identity(kAll, kAll);
+    T.row(offset).head(kShared) = -o.h.transpose();
+    T.row(offset).segment(first(j), kJointNuisances) = -o.c.transpose();
+    T(offset, offset) = 0;
+    Matrix covariance = oracle::congruence(T, before.covariance);
+    covariance(offset, offset) += variance;
+    const Dense after = dense(star);
+    CHECK((after.mean - oracle::product(T, before.mean)).norm() < 1e-11 * before.mean.norm());
+    CHECK((after.covariance - covariance).norm() < 1e-11 * covariance.norm());
+    const auto p = star.predict(j, o);
+    CHECK(p.innovation == Approx(o.torque).margin(1e-9));
+    CHECK(p.variance == Approx(variance + o.noise).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("StarGaussian: what changes the payload, the tool or the rate keeps the moments of every pair", "[star]") {
   const unsigned seed = 513;
   CAPTURE(seed);

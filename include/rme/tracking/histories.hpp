@@ -43,15 +43,20 @@ class Histories {
     using std::log;
     Tale& empty = told(0);
     empty.star = filter_.model().prior();
-    empty.log_weight = log(Scalar(1) - Scalar(kHeldAtStart) - Scalar(kOffAtStart));
+    empty.log_weight = log(Scalar(1) - Scalar(kHeldAtStart) - Scalar(2 * kOffAtStart));
     told(1) = empty;
     Tale& holds = told(1);
     holds.mode = Mode::Changing;
     holds.log_weight = log(Scalar(kHeldAtStart));
-    told(2) = empty;
-    told(2).log_weight = log(Scalar(kOffAtStart));
-    for (int j = 0; j < Dofs; ++j) told(2).star.joint(j).covariance(kOffset, kOffset) *= Scalar(kOff * kOff);
-    count_ = 3;
+    const auto off = [&](Tale& story, double times) {
+      story = empty;
+      story.log_weight = log(Scalar(kOffAtStart));
+      for (int j = 0; j < Dofs; ++j) story.star.joint(j).covariance(kOffset, kOffset) *= Scalar(times * times);
+    };
+    off(told(2), kOff);
+    off(told(3), kTiltedOff);
+    told(3).star.set_tilt(Scalar(kTilted));
+    count_ = 4;
   }
 
   /// Starts a block.
@@ -62,6 +67,8 @@ class Histories {
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
              const BlockContext<Scalar, Dofs>& context, Children& children) noexcept {
     work_ = &children;
+    if (blocks_ == 0 && !block.gravity_torque)
+      for (int i = 0; i < count_; ++i) filter_.model().lay_flat(told(i).star);
     const auto& mean = told(0).star.mean();
     filter_.model().begin(block, regime, context, {mean[kTilt], mean[kTilt + 1]});
     exchange_likely_ = context.exchange_likely;
@@ -192,9 +199,11 @@ class Histories {
   static constexpr double kSurprise = 2;        // innovation squared per joint from which a block is explained badly
   static constexpr double kHeldAtStart = 0.03;  // probability that something is held at the start
 
-  static constexpr double kOffAtStart = 0.01;  // probability that the arm's torques are off by more than stated
-  static constexpr double kOff = 30;           // how much more, times the stated offset
-  static constexpr double kPourDepth = 8;      // log odds at which a pour is given up while nothing happens [nats]
+  static constexpr double kOffAtStart =
+      0.01;                           // probability that the arm's torques are off by more than stated; of a tilt
+  static constexpr double kOff = 30;  // how much more, times the stated offset
+  static constexpr double kTilted = 0.06, kTiltedOff = 3;  // of a tilted base [rad]; the same of its offsets
+  static constexpr double kPourDepth = 8;  // log odds at which a pour is given up while nothing happens [nats]
   static constexpr int kPlans = Transitions::kMost * Capacity;
 
   static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <rme/core/types.hpp>
+#include <rme/tracking/arm_gravity.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/friction_regime.hpp>
 #include <rme/tracking/sensing_kind.hpp>
@@ -86,6 +87,10 @@ class JointTorqueModel {
   /// Time update: changes the nuisances from the last block to this one. To be called before the update with the
   /// block's torque.
   void predict(Star& star) const noexcept;
+  /// Without the arm's gravity torque from the host, only a story that says so has a tilted base.
+  void lay_flat(Star& star) const noexcept {
+    if (star.variance(kTilt) < Scalar(2 * kTiltSpread * kTiltSpread)) star.set_tilt(Scalar(0));
+  }
   /// A payload that is taken up slowly is taken for friction and offset at first. Supposes that the empty hand of `star`
   /// already holds as much as they can have hidden so far.
   /// @param star  state, with an empty hand
@@ -124,6 +129,14 @@ class JointTorqueModel {
       for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * held[i];
       const Scalar off = std::min(drift * std::abs(torque), arm_.offset[j]);
       star.joint(j).covariance(kOffset, kOffset) += off * off;
+    }
+  }
+  /// The torque sensors have been zeroed in this pose, whatever the hand holds.
+  void zero(Star& star) const noexcept {
+    const Load<Scalar, Dofs> borne = load(star);
+    for (int j = 0; j < Dofs; ++j) {
+      const JointObservation<Scalar> o = observation(j, borne, star.swings());
+      star.zero_torque(j, o, o.noise + star.nuisance_covariance(j)(kOffset, kOffset));
     }
   }
   /// What the joints bear in this block if they hold what `star` says.
@@ -182,6 +195,8 @@ class JointTorqueModel {
   static constexpr double kHidden = 3;         // standard deviations of all joints together that may hide a payload
   static constexpr double kToolArm = 0.1;      // spread of the tool error's first moment, per kg of its mass [m]
   static constexpr double kTiltSpread = 0.02;  // of gravity's direction [rad]
+  static constexpr double kArmMass = 5;        // of the arm itself, per rated payload
+  static constexpr double kUnlike = 0.3;       // how far links are from usual ones: of the tilt [1/rad^(1/2)]
   static constexpr double kJump = 6.25;        // variance of a jump of the stiction, in stiction variances
 
   /// One step of a first-order autoregressive process: nuisance n of joint j is multiplied by `keep`, and noise is
@@ -264,21 +279,23 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     inertia_noise_[j] = linear * lever + (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) * turn;
   }
   tilt_.setZero();
-  Vector3<Scalar> turned = Vector3<Scalar>::Zero();  // by how much the tilt changes gravity
-  if (block.gravity_torque) {  // two axes across gravity; turning gravity by a small angle about e adds e x g to it
-    const Vector3<Scalar> g = gravity_;
-    const int least = std::abs(g[0]) < std::abs(g[2]) ? 0 : 2;
-    Vector3<Scalar> first = g.cross(Vector3<Scalar>::Unit(least));
-    first /= std::sqrt(detail::dot(first, first));
-    const Vector3<Scalar> second = g.cross(first) / std::sqrt(detail::dot(g, g));
-    const Vector3<Scalar> along[2] = {first.cross(g), second.cross(g)};
-    for (int j = 0; j < Dofs; ++j)
-      for (int k = 0; k < 2; ++k)
-        for (int axis = 0; axis < 3; ++axis) tilt_(j, k) -= (*block.gravity_torque)(j, axis) * along[k][axis];
-    for (int k = 0; k < 2; ++k) detail::add_scaled(turned, tilt[k], along[k]);
-  }
+  // Two axes across gravity; turning gravity by a small angle about e adds e x g to it.
+  const Vector3<Scalar> g = gravity_;
+  const int least = std::abs(g[0]) < std::abs(g[2]) ? 0 : 2;
+  Vector3<Scalar> first = g.cross(Vector3<Scalar>::Unit(least));
+  first /= std::sqrt(detail::dot(first, first));
+  const Vector3<Scalar> second = g.cross(first) / std::sqrt(detail::dot(g, g));
+  const Vector3<Scalar> along[2] = {first.cross(g), second.cross(g)};
+  const Eigen::Matrix<Scalar, Dofs, 3> pull =
+      block.gravity_torque ? *block.gravity_torque
+                           : usual_gravity_torque<Scalar, Dofs>(block.jacobian, Scalar(kArmMass) * rated_);
+  for (int j = 0; j < Dofs; ++j)
+    for (int k = 0; k < 2; ++k)
+      for (int axis = 0; axis < 3; ++axis) tilt_(j, k) -= pull(j, axis) * along[k][axis];
   block_ = block;
-  if (block.gravity_torque) {  // the weight of what is held acts along the true gravity
+  if (block.gravity_torque) {                          // the weight of what is held acts along the true gravity
+    Vector3<Scalar> turned = Vector3<Scalar>::Zero();  // by how much the tilt changes gravity
+    for (int k = 0; k < 2; ++k) detail::add_scaled(turned, tilt[k], along[k]);
     const Matrix3<Scalar> lever = detail::product(skew(turned), block.rotation);
     for (int j = 0; j < Dofs; ++j) {
       for (int axis = 0; axis < 3; ++axis) {
@@ -352,6 +369,13 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
   // The residual is a function of the pose: an Ornstein-Uhlenbeck process over the distance that the joints move (T27).
   const Scalar way = block_.velocity.norm() * block_.elapsed();
   const Scalar keep = exp(-way / static_cast<Scalar>(kind_.way));
+  if (!block_.gravity_torque) {  // links that weigh other than usual make another tilt of it in each pose
+    Scalar square = Scalar(0);
+    for (int i = kTilt; i < kTilt + 2; ++i) square += star.mean()[i] * star.mean()[i] + star.variance(i);
+    Eigen::Matrix<Scalar, kArmShared, 1> unlike = Eigen::Matrix<Scalar, kArmShared, 1>::Zero();
+    unlike[kTilt] = unlike[kTilt + 1] = Scalar(kUnlike * kUnlike) * way * square;
+    if (unlike[kTilt] > 0) star.widen_arm(unlike);
+  }
   const Scalar hold =
       exp(-block_.elapsed() * static_cast<Scalar>(regime_.arm_moves() ? kind_.creep : kind_.creep_at_rest));
   for (int j = 0; j < Dofs; ++j) {

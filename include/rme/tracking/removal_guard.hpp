@@ -14,7 +14,9 @@ namespace rme {
 ///     share = clamp(2 (tau - nu) . t / t . t, 0, 1)     (docs/theory.md (T35))
 ///
 /// Here t is the payload's torque, tau the external torque averaged over 4 ms, and nu the part of tau that the payload
-/// did not explain in the last block in which nothing happened. No call allocates.
+/// did not explain in the last block in which it was certainly held: nothing happened, or a push bore clearly more than its
+/// weight. Who takes the object away bears its weight, and no more; so a hand that presses on something does not press the
+/// harder because it holds an object. No call allocates.
 template <typename Scalar, int Dofs>
 class RemovalGuard {
  public:
@@ -35,14 +37,20 @@ class RemovalGuard {
     const Scalar support = detail::dot(detail::difference(average_, besides_), carried) / square;
     share_ = std::max(Scalar(0), std::min(Scalar(1), 2 * support));
   }
-  /// Sets nu after a block in which nothing happened.
-  /// @param besides  the block's mean torque minus the payload's [N m]
-  void learn(const Vector& besides) noexcept { besides_ = besides; }
+  /// Sets nu after a block in which the payload was certainly held.
+  /// @param tau     the block's mean torque [N m]
+  /// @param weight  that of the payload [N m]
+  /// @param pushed  whether something else acted on the arm; then nothing is learned unless it bore more than the payload
+  void learn(const Vector& tau, const Vector& weight, bool pushed) noexcept {
+    if (pushed && !(detail::dot(tau, weight) < -Scalar(kMore) * detail::dot(weight, weight))) return;
+    besides_ = detail::difference(tau, weight);
+  }
   /// The share of the compensation that is safe to command, 0 to 1.
   Scalar share() const noexcept { return share_; }
 
  private:
   static constexpr double kAverage = 0.004;  // time constant of tau's average [s]
+  static constexpr double kMore = 0.2;       // what a push bears beyond the weight, as a share of it
   static constexpr double kLeast = 0.3;      // the share is 1 if the norm of t is at most this: no danger [N m]
   Vector average_ = Vector::Zero(), besides_ = Vector::Zero();  // of tau; nu
   Scalar share_ = Scalar(1);

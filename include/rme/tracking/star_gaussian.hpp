@@ -105,6 +105,8 @@ class StarGaussian {
     using std::sqrt;
     for (int i = 0; i < kArmShared; ++i) factor_(i, i) = sqrt(variance[i]);
   }
+  /// Sets the standard deviation of the tilt [rad], of which nothing has been learned yet.
+  void set_tilt(Scalar deviation) noexcept { factor_(kTilt, kTilt) = factor_(kTilt + 1, kTilt + 1) = deviation; }
 
   /// Whether all numbers are finite. Input that no real arm reports may overflow, above all in float.
   bool finite() const noexcept {
@@ -264,6 +266,24 @@ class StarGaussian {
         for (int n = 0; n < kJointNuisances; ++n) joint.slope(kPayload + i, n) -= joint.slope(kTool + i, n);
     }
     forget_payload();
+  }
+  /// The offset of joint j turns into what makes the torque of an observation zero.
+  /// @param j         0 .. Dofs - 1
+  /// @param o         the observation; its torque does not matter
+  /// @param variance  of that torque afterwards [(N m)^2]
+  void zero_torque(int j, const JointObservation<Scalar>& o, Scalar variance) noexcept {
+    Joint& joint = this->joint(j);
+    Beta rest = detail::scaled(Scalar(-1), o.c);  // of the nuisances: the offset is now rest^T beta_j - h^T x
+    rest[kOffset] = Scalar(0);
+    joint.mean[kOffset] = detail::dot(rest, joint.mean);
+    for (int k = 0; k < size_; ++k) {
+      Scalar slope = -o.h[k];
+      for (int n = 0; n < kJointNuisances; ++n) slope += rest[n] * joint.slope(k, n);
+      joint.slope(k, kOffset) = slope;
+    }
+    const Beta row = detail::product(joint.covariance, rest);
+    for (int n = 0; n < kJointNuisances; ++n) joint.covariance(kOffset, n) = joint.covariance(n, kOffset) = row[n];
+    joint.covariance(kOffset, kOffset) = detail::dot(rest, row) + variance;
   }
   /// Adds noise, independent from joint to joint, to a nuisance of each.
   /// @param n         which one

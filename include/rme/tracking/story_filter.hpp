@@ -61,6 +61,7 @@ class StoryFilter {
                  Innovation& out) noexcept {
     const Scalar duration = model_.block().elapsed();
     model_.predict(child.star);
+    if (transition.zeroed) model_.zero(child.star);
     if (!transition.swings) child.star.end_swing();
     if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) {
       child.star.end_pour();

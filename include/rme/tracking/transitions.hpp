@@ -20,6 +20,7 @@ struct Transition {
   bool late = false;                  ///< of such a payload: the change has shown that the observer is not as stated
   bool gains = false;                 ///< of such a payload: it shows that the gains of the torque are less exact
   bool never = false;                 ///< of Mode::Empty: there has been no payload since this one was drawn
+  bool zeroed = false;                ///< of Mode::Empty and Held: the torque sensors were zeroed, nothing else
   bool swings = false;                ///< of Mode::Held: the payload swings
   bool turned = false;                ///< of such a payload: the wrench that acted has been its weight all along
 };
@@ -36,6 +37,7 @@ struct Transitions {
   static constexpr double kAtOnce = 0.3;      ///< no block lies between the old payload, or none, and the new: as a
                                               ///< share of SensingKind::change, to a new payload and to an empty hand;
                                               ///< and a payload turns out never to have been there
+  static constexpr double kZeroes = 1e-7;     ///< the torque sensors are zeroed, whatever is held
   static constexpr double kPourEnds = 4e-3;   ///< a pour ends
   static constexpr double kQuickEnds = 0.03;  ///< a quick pour ends: the payload is taken up
   static constexpr double kSettles = 0.25;    ///< a change ends in a new payload
@@ -54,7 +56,7 @@ struct Transitions {
   static constexpr double kLate = 0.5;
   static constexpr int kSlow = 10;  ///< blocks from one pour that begins to the next
   static constexpr int kSoon = 5;   ///< of quick pours that begin, pours that end, wrenches that turn out weights
-  static constexpr int kMost = 11;  ///< most transitions of one story
+  static constexpr int kMost = 12;  ///< most transitions of one story
 
   /// Calls use(transition) for each transition of a story.
   /// @param story      the parent
@@ -102,6 +104,12 @@ struct Transitions {
       if (off > 0) use(t);
     };
     const double hangs = kHangs * kind.faint;
+    if (!explained && story.mode != Mode::Pouring) {
+      Transition zeroed = to(story.payload == 0 ? Mode::Empty : Mode::Held, kZeroes);
+      zeroed.swings = story.star.swings();
+      zeroed.zeroed = true;
+      use(zeroed);
+    }
     switch (story.mode) {
       case Mode::Empty:
       case Mode::Held: {
@@ -113,7 +121,8 @@ struct Transitions {
         const double turns = empty ? 0 : swings ? kSwingEnds : kSwings * kind.faint;
         // The force of a swing explains almost every block, that of a payload which was drawn too light included.
         const bool asks = !explained || (swings && soon);
-        goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up - turns);
+        goes_on(1 - change - (empty ? 1 : 2) * at_once - never - kDisturbs - kind.jolt - pours - takes_up - turns -
+                kZeroes);
         if (turns > 0 && (swings ? soon : !explained)) {
           Transition t = to(Mode::Held, swings ? turns * kSoon : turns);
           t.swings = !swings;
@@ -154,7 +163,7 @@ struct Transitions {
       }
       case Mode::Changing: {
         const bool may_be_late = kind.lag > 0 && story.star.variance(kLag) < Scalar(kLate * kLate);
-        goes_on(1 - kSettles - kEmpties - kTurnsOut);
+        goes_on(1 - kSettles - kEmpties - kTurnsOut - kZeroes);
         disturbed(kTurnsOut, Disturbing::Hand);
         drawn(kSettles * (may_be_late ? 1 - kIsLate : 1), hangs, false);
         if (may_be_late) drawn(kSettles * kIsLate, hangs, true);
@@ -170,7 +179,7 @@ struct Transitions {
         const auto other = [&](Disturbing how) {  // a jolt does not become a push
           return jolt || how == story.how ? 0 : how == Disturbing::Hand ? kOther : kSoftOther * kind.slowly;
         };
-        goes_on(1 - ends - turns_out - turned - other(Disturbing::Hand) - other(Disturbing::Growing) -
+        goes_on(1 - kZeroes - ends - turns_out - turned - other(Disturbing::Hand) - other(Disturbing::Growing) -
                 other(Disturbing::Still));
         use(to(story.payload == 0 ? Mode::Empty : Mode::Held, ends));
         use(to(Mode::Changing, turns_out));
