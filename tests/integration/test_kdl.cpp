@@ -49,7 +49,7 @@ void compare(const Arm& arm) {
   const auto difference = [](const auto& a, const auto& b) { return (a - b).cwiseAbs().maxCoeff(); };
   for (int k = 0; k < 20; ++k) {
     const auto draw = [&] { return uniform(random); };
-    const Vector q = Vector::NullaryExpr(draw), dq = Vector::NullaryExpr(draw);
+    const Vector q = Vector::NullaryExpr(draw), dq = Vector::NullaryExpr(draw), ddq = Vector::NullaryExpr(draw);
     const auto at = ours.kinematics(q);
     CHECK(difference(at.position, theirs.position(q)) <= 1e-12);
     CHECK(difference(at.rotation, theirs.rotation(q)) <= 1e-12);
@@ -62,6 +62,10 @@ void compare(const Arm& arm) {
     CHECK(difference(terms.mass_matrix, M) <= 1e-12 * std::max(1.0, M.cwiseAbs().maxCoeff()));
     CHECK(difference(terms.gravity, g) <= 1e-12 * std::max(1.0, g.cwiseAbs().maxCoeff()));
     CHECK(difference(terms.coriolis, c) <= 1e-12 * std::max(1.0, c.cwiseAbs().maxCoeff()));
+    // Nothing gets lost on the way from KDL's tree to its chain, nor between its two algorithms.
+    const Eigen::VectorXd tree = theirs.tree_dynamics(q, dq, ddq);
+    CHECK(difference(theirs.inverse_dynamics(q, dq, ddq), tree) <= 1e-12 * std::max(1.0, tree.cwiseAbs().maxCoeff()));
+    CHECK(difference(M * ddq + c + g, tree) <= 1e-12 * std::max(1.0, tree.cwiseAbs().maxCoeff()));
     // dM/dt = C + C^T, with dM/dt of KDL's M by five-point differences.
     const double h = 1e-3;
     const auto along = [&](double s) { return theirs.mass_matrix(q + s * h * dq); };
