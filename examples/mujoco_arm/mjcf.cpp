@@ -50,12 +50,13 @@ std::string quaternion(const Eigen::Matrix3d& rotation) {
 }  // namespace
 
 template <int Dofs>
-std::string to_mjcf(const ArmModel<Dofs>& model, const JointFriction<Dofs>& friction) {
+std::string to_mjcf(const ArmModel<Dofs>& model, const JointFriction<Dofs>& friction, bool shapes) {
   std::ostringstream out;
   out.precision(17);
   const Eigen::IOFormat numbers(Eigen::FullPrecision, Eigen::DontAlignCols, " ", " ");
   out << "<mujoco model=\"" << model.name << "\">\n"
-      << "<compiler angle=\"radian\"/>\n<option integrator=\"RK4\" gravity=\"" << model.gravity_vector.format(numbers)
+      << "<compiler angle=\"radian\" discardvisual=\"" << (shapes ? "false" : "true")
+      << "\"/>\n<option integrator=\"RK4\" gravity=\"" << model.gravity_vector.format(numbers)
       << "\" iterations=\"200\" tolerance=\"1e-12\"><flag contact=\"disable\"/></option>\n"
       << kLooks << "<default><geom mass=\"0\" contype=\"0\" conaffinity=\"0\" type=\"capsule\" material=\"shell\"/>\n"
       << "<joint type=\"hinge\" axis=\"0 0 1\" solreffriction=\"0.002 1\" solimpfriction=\"0.9999 0.9999 "
@@ -109,7 +110,7 @@ MujocoModel compile_mjcf(const std::string& mjcf) {
   return model;
 }
 
-template std::string to_mjcf<6>(const ArmModel<6>&, const JointFriction<6>&);
-template std::string to_mjcf<7>(const ArmModel<7>&, const JointFriction<7>&);
+template std::string to_mjcf<6>(const ArmModel<6>&, const JointFriction<6>&, bool);
+template std::string to_mjcf<7>(const ArmModel<7>&, const JointFriction<7>&, bool);
 
 }  // namespace rme::examples

@@ -10,7 +10,7 @@ namespace rme::examples {
 
 template <int Dofs>
 MujocoPhysics<Dofs>::MujocoPhysics(const ArmModel<Dofs>& model, const JointFriction<Dofs>& friction)
-    : model_(compile_mjcf(to_mjcf(model, friction))),
+    : model_(compile_mjcf(to_mjcf(model, friction, false))),
       data_(mj_makeData(model_.get())),
       scratch_(mj_makeData(model_.get())),
       payload_(mj_name2id(model_.get(), mjOBJ_BODY, "payload")),

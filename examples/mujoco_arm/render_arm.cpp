@@ -94,7 +94,7 @@ class Renderer {
  public:
   /// @param com  centre of the payload's box, flange axes [m]
   Renderer(const ArmModel<7>& arm, const Eigen::Vector3d& com)
-      : model_(compile_mjcf(to_mjcf(arm, {}))),
+      : model_(compile_mjcf(to_mjcf(arm, {}, true))),
         data_(mj_makeData(model_.get())),
         payload_(mj_name2id(model_.get(), mjOBJ_GEOM, "payload")),
         rod_(mj_name2id(model_.get(), mjOBJ_GEOM, "rod")) {
