@@ -43,18 +43,18 @@ class Histories {
     using std::log;
     Tale& empty = told(0);
     empty.star = filter_.model().prior();
-    empty.log_weight = log(Scalar(1) - Scalar(kHeldAtStart) - Scalar(2 * kOffAtStart));
+    empty.log_weight = log(Scalar(1) - Scalar(kHeldAtStart) - Scalar(kOffAtStart) - Scalar(kTiltedAtStart));
     told(1) = empty;
     Tale& holds = told(1);
     holds.mode = Mode::Changing;
     holds.log_weight = log(Scalar(kHeldAtStart));
-    const auto off = [&](Tale& story, double times) {
+    const auto off = [&](Tale& story, double probability, double times) {
       story = empty;
-      story.log_weight = log(Scalar(kOffAtStart));
+      story.log_weight = log(Scalar(probability));
       for (int j = 0; j < Dofs; ++j) story.star.joint(j).covariance(kOffset, kOffset) *= Scalar(times * times);
     };
-    off(told(2), kOff);
-    off(told(3), kTiltedOff);
+    off(told(2), kOffAtStart, kOff);
+    off(told(3), kTiltedAtStart, kTiltedOff);
     told(3).star.set_tilt(Scalar(kTilted));
     count_ = 4;
   }
@@ -199,11 +199,12 @@ class Histories {
   static constexpr double kSurprise = 2;        // innovation squared per joint from which a block is explained badly
   static constexpr double kHeldAtStart = 0.03;  // probability that something is held at the start
 
-  static constexpr double kOffAtStart =
-      0.01;                           // probability that the arm's torques are off by more than stated; of a tilt
-  static constexpr double kOff = 30;  // how much more, times the stated offset
-  static constexpr double kTilted = 0.06, kTiltedOff = 3;  // of a tilted base [rad]; the same of its offsets
-  static constexpr double kPourDepth = 8;  // log odds at which a pour is given up while nothing happens [nats]
+  static constexpr double kOffAtStart = 0.01;     // probability that the arm's torques are off by more than stated
+  static constexpr double kOff = 30;              // how much more, times the stated offset
+  static constexpr double kTiltedAtStart = 0.05;  // probability that the base is tilted
+  static constexpr double kTilted = 0.06;         // by how much, about either axis [rad]
+  static constexpr double kTiltedOff = 5;         // and how much more the offsets are off then
+  static constexpr double kPourDepth = 8;         // log odds at which a pour is given up while nothing happens [nats]
   static constexpr int kPlans = Transitions::kMost * Capacity;
 
   static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
