@@ -5,6 +5,8 @@
 #include "precompiled/any_joints.hpp"
 #include "python/bindings.hpp"
 
+extern template class rme::Estimator<double, 7>;  // rme_precompiled has it
+
 namespace rme::python {
 
 namespace {
