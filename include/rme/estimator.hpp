@@ -235,7 +235,7 @@ void Estimator<Scalar, Dofs>::process() noexcept {
     const auto& probability = state_.probability;
     const bool pushed = probability[Mode::Disturbed] > Scalar(0.9);
     if (pushed || probability[Mode::Held] + probability[Mode::Pouring] > Scalar(0.9))
-      guard_.learn(block.tau, detail::product(block.regressor, state_.inertial.mean), pushed);
+      guard_.learn(block.tau, detail::product(block.regressor, state_.inertial.mean), pushed, block.elapsed());
   }
   state_.changing = events_.changing();
   state_.change_onset = events_.onset();

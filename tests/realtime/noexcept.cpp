@@ -60,7 +60,7 @@ struct Loop {
   static_assert(noexcept(a<Tracker>().histories()));
   static_assert(noexcept(my<Tracker>().set_payload(a<rme::PayloadGaussian<Scalar>>())));
   static_assert(noexcept(my<Guard>().update(a<Vector>(), a<Vector>(), Scalar(1e-3))));
-  static_assert(noexcept(my<Guard>().learn(a<Vector>(), a<Vector>(), true)) && noexcept(a<Guard>().share()));
+  static_assert(noexcept(my<Guard>().learn(a<Vector>(), a<Vector>(), true, Scalar(1))) && noexcept(a<Guard>().share()));
   static_assert(noexcept(my<Monitor>().update(a<rme::PerMode<Scalar>>(), 0, 1, 1, a<rme::PayloadGaussian<Scalar>>())));
   static_assert(noexcept(my<Monitor>().believe(true)) && noexcept(my<Monitor>().reset()));
   static_assert(noexcept(rme::within_rated(a<Inertial>(), Scalar(3))));

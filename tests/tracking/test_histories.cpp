@@ -195,7 +195,10 @@ TEST_CASE("Histories: stories that are given up or not computed hardly change th
         CAPTURE(static_cast<int>(sensing), static_cast<int>(happens), largest, last);
         if (happens != Happens::Attach) {
           // Where friction hides a slow take-up, the pours that are given up while nothing happens weigh more.
-          CHECK(largest[39] < (sensing == Sensing::JointFriction ? 1e-2 : 1e-3));
+          const double most = sensing == Sensing::JointFriction ? 1e-2 : 1e-3;
+          // In two removals of forty a tilted base, given up before, would have had 1 to 2 % for some blocks.
+          CHECK(largest[happens == Happens::Removal ? 37 : 39] < most);
+          CHECK(last[39] < most);
         } else if (sensing != Sensing::RoughModel) {
           CHECK(last[20] < 1e-3);
           CHECK(last[32] < 0.01);

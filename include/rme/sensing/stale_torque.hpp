@@ -2,6 +2,7 @@
 /// Detects a sensor of the external torque, or a connection, that has stopped measuring but still reports values.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <rme/core/types.hpp>
 
 namespace rme {
@@ -39,7 +40,7 @@ class StaleTorque {
     Scalar speed = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
       same &= tau_ext[j] == last_[j];
-      zero &= tau_ext[j] == Scalar(0);
+      zero &= std::abs(tau_ext[j]) < std::numeric_limits<Scalar>::min();  // what is smaller, some CPUs take for zero
       speed = std::max(speed, std::abs(dq[j]));
     }
     held_ += dt;

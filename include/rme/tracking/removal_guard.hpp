@@ -14,9 +14,9 @@ namespace rme {
 ///     share = clamp(2 (tau - nu) . t / t . t, 0, 1)     (docs/theory.md (T35))
 ///
 /// Here t is the payload's torque, tau the external torque averaged over 4 ms, and nu the part of tau that the payload
-/// did not explain in the last block in which it was certainly held: nothing happened, or a push bore clearly more than its
-/// weight. Who takes the object away bears its weight, and no more; so a hand that presses on something does not press the
-/// harder because it holds an object. No call allocates.
+/// did not explain in the last block in which nothing happened; in a push that bears clearly more than its weight, nu follows
+/// within a second. Who takes the object away bears its weight, and no more; so a hand that presses on something soon presses
+/// no harder because it holds an object. No call allocates.
 template <typename Scalar, int Dofs>
 class RemovalGuard {
  public:
@@ -37,13 +37,17 @@ class RemovalGuard {
     const Scalar support = detail::dot(detail::difference(average_, besides_), carried) / square;
     share_ = std::max(Scalar(0), std::min(Scalar(1), 2 * support));
   }
-  /// Sets nu after a block in which the payload was certainly held.
-  /// @param tau     the block's mean torque [N m]
-  /// @param weight  that of the payload [N m]
-  /// @param pushed  whether something else acted on the arm; then nothing is learned unless it bore more than the payload
-  void learn(const Vector& tau, const Vector& weight, bool pushed) noexcept {
+  /// Learns nu from a block in which the payload was certainly held: at once if nothing happened, within a second if a push
+  /// bore clearly more than the payload's weight, and not at all if it bore less.
+  /// @param tau      the block's mean torque [N m]
+  /// @param weight   that of the payload [N m]
+  /// @param pushed   whether something else acted on the arm
+  /// @param elapsed  time since the last block [s]
+  void learn(const Vector& tau, const Vector& weight, bool pushed, Scalar elapsed) noexcept {
+    using std::exp;
     if (pushed && !(detail::dot(tau, weight) < -Scalar(kMore) * detail::dot(weight, weight))) return;
-    besides_ = detail::difference(tau, weight);
+    const Scalar blend = pushed ? Scalar(1) - exp(-elapsed / Scalar(kPatience)) : Scalar(1);
+    detail::add_scaled(besides_, blend, detail::difference(detail::difference(tau, weight), besides_));
   }
   /// The share of the compensation that is safe to command, 0 to 1.
   Scalar share() const noexcept { return share_; }
@@ -51,6 +55,7 @@ class RemovalGuard {
  private:
   static constexpr double kAverage = 0.004;  // time constant of tau's average [s]
   static constexpr double kMore = 0.2;       // what a push bears beyond the weight, as a share of it
+  static constexpr double kPatience = 1;     // how long it takes to trust such a push [s]
   static constexpr double kLeast = 0.3;      // the share is 1 if the norm of t is at most this: no danger [N m]
   Vector average_ = Vector::Zero(), besides_ = Vector::Zero();  // of tau; nu
   Scalar share_ = Scalar(1);
