@@ -48,7 +48,11 @@ function(rme_add_test file)
   add_executable(${target} ${file})
   target_link_libraries(${target} PRIVATE rme::rme rme_development rme_test_main ${ARGN})
   target_precompile_headers(${target} REUSE_FROM rme_test_main)
-  # If ctest splits a name, at a semicolon, no case has that name: an error, as it is by default from Catch2 3 on.
+  # ctest splits a name at a semicolon, and then no case has that name.
+  file(READ ${file} text)
+  if(text MATCHES "TEST_CASE[A-Z_]*\\([ \n]*(\"[^\"]*\"[ \n]*)*\"[^\"\n]*;[^\n]*")
+    message(FATAL_ERROR "${CMAKE_CURRENT_SOURCE_DIR}/${file}: a semicolon in a test case's name: ${CMAKE_MATCH_0}")
+  endif()
   if(Catch2_VERSION VERSION_LESS 3)
     set(strict EXTRA_ARGS -w NoTests)
   endif()

@@ -59,10 +59,8 @@ TEST_CASE("RemovalGuard: torque across the payload's is a push, and cuts nothing
   CHECK(guard.share() == 1);
 }
 
-TEST_CASE(
-    "RemovalGuard: a push that bears more than the payload lets it be carried, within a second; one that bears less "
-    "does not",
-    "[removal_guard]") {
+TEST_CASE("RemovalGuard: only a push that bears more than the payload lets it be carried, within a second",
+          "[removal_guard]") {
   for (const double borne : {0.9, 1.15, 1.25, 3.0})
     for (const double pushed_for : {0.0, 0.6, 10.0}) {
       CAPTURE(borne, pushed_for);
