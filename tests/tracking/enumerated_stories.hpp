@@ -46,9 +46,11 @@ class EnumeratedStories {
 
   /// Takes in the block that `model` has begun.
   void advance(const Model& model) {
-    if (blocks_ == 0)  // no host passes the arm's gravity torque here
-      for (Tale& s : stories)
-        if (s.star.variance(kTilt) < 0.03 * 0.03) s.star.set_tilt(0);
+    for (Tale& s : stories) {  // no host passes the arm's gravity torque here
+      if (blocks_ > 0) break;
+      s.star.set_tilt(0);
+      if (s.tilted) model.tilt(s.star, 0.04);
+    }
     ++blocks_;
     std::sort(stories.begin(), stories.end(), [](const Tale& a, const Tale& b) { return a.log_weight > b.log_weight; });
     next_.clear();
@@ -67,103 +69,124 @@ class EnumeratedStories {
   void children(const Model& model, const Tale& p, bool goes_on) {
     const SensingKind& kind = model.kind();
     const double c = kind.change;
-    const auto child = [&](Mode mode, double probability, Disturbing how = Disturbing::Hand, bool anew = false,
-                           bool quick = false, bool late = false, bool turned = false, bool never = false,
-                           bool swings = false, bool gains = false, bool zeroed = false) {
-      const bool same = mode == p.mode && !anew && !zeroed && (mode != Mode::Disturbed || how == p.how) &&
-                        (mode != Mode::Pouring || quick == p.quick) && swings == p.star.swings();
-      if (same == goes_on && probability > 0)
-        add(take_in(model, p, mode, how, anew, quick, late, turned, never, swings, gains, zeroed,
-                    std::log(probability)));
+    const bool swings = p.star.swings(), empty = p.mode == Mode::Empty;
+    const auto child = [&](double probability, Transition t) {
+      const bool same = t.mode == p.mode && !t.anew && !t.zeroed && (t.mode != Mode::Disturbed || t.how == p.how) &&
+                        (t.mode != Mode::Pouring || t.quick == p.quick) && t.swings == swings;
+      t.probability = probability;
+      if (same == goes_on && probability > 0) add(take_in(model, p, t));
+    };
+    const auto to = [](Mode mode, bool swings_then = false) {
+      Transition t;
+      t.mode = mode;
+      t.swings = swings_then;
+      return t;
+    };
+    const auto disturbed = [&](Disturbing how) {
+      Transition t = to(Mode::Disturbed);
+      t.how = how;
+      return t;
+    };
+    const auto pouring = [&](bool quick) {
+      Transition t = to(Mode::Pouring);
+      t.quick = quick;
+      return t;
     };
     double gain = 0;
     for (int j = 0; j < Dofs; ++j) gain += p.star.joint(j).covariance(kGain, kGain) / Dofs;
     const double off = kind.draws && gain < 0.01 * 0.01 ? Transitions::kGainsOff : 0;
     const auto drawn = [&](double probability, bool late) {
       const double hangs = p.mode == Mode::Held ? 0 : Transitions::kHangs * kind.faint;
-      child(Mode::Held, probability * (1 - hangs - off), Disturbing::Hand, true, false, late);
-      child(Mode::Held, probability * hangs, Disturbing::Hand, true, false, late, false, false, true);
-      child(Mode::Held, probability * off, Disturbing::Hand, true, false, late, false, false, false, true);
+      Transition t = to(Mode::Held);
+      t.anew = true;
+      t.late = late;
+      child(probability * (1 - hangs - off), t);
+      t.gains = true;
+      child(probability * off, t);
+      t.gains = false;
+      t.swings = true;
+      child(probability * hangs, t);
     };
     const auto disturb = [&] {
-      child(Mode::Disturbed, Transitions::kDisturbs);
-      child(Mode::Disturbed, kind.jolt, Disturbing::Jolt);
+      child(Transitions::kDisturbs, disturbed(Disturbing::Hand));
+      child(kind.jolt, disturbed(Disturbing::Jolt));
     };
-    if (p.mode != Mode::Pouring)
-      child(p.payload == 0 ? Mode::Empty : Mode::Held, Transitions::kZeroes, Disturbing::Hand, false, false, false,
-            false, false, p.star.swings(), false, true);
-    if (p.mode == Mode::Empty || p.mode == Mode::Held) {
-      const double pours = (p.mode == Mode::Empty ? Transitions::kFills : Transitions::kPours) * kind.slowly;
-      const double never = p.mode == Mode::Held && p.log_none ? 0.3 * c : 0;
-      const bool swings = p.star.swings();
-      const double turns = p.mode == Mode::Empty ? 0
-                           : swings              ? Transitions::kSwingEnds
-                                                 : Transitions::kSwings * kind.faint;
-      child(p.mode,
-            1 - (p.mode == Mode::Held ? 1.6 : 1.3) * c - never - Transitions::kDisturbs - kind.jolt - pours - turns -
-                Transitions::kZeroes - (p.mode == Mode::Empty ? kind.takes_up : 0),
-            Disturbing::Hand, false, false, false, false, false, swings);
+    if (p.mode != Mode::Pouring) {
+      Transition t = to(p.payload == 0 ? Mode::Empty : Mode::Held, swings);
+      t.zeroed = true;
+      child(Transitions::kZeroes, t);
+    }
+    if (empty || p.mode == Mode::Held) {
+      const double pours = (empty ? Transitions::kFills : Transitions::kPours) * kind.slowly;
+      const double never = !empty && p.log_none ? 0.3 * c : 0;
+      const double turns = empty ? 0 : swings ? Transitions::kSwingEnds : Transitions::kSwings * kind.faint;
+      child(1 - (empty ? 1.3 : 1.6) * c - never - Transitions::kDisturbs - kind.jolt - pours - turns -
+                Transitions::kZeroes - (empty ? kind.takes_up : 0),
+            to(p.mode, swings));
       if (!swings)
-        child(Mode::Held, turns, Disturbing::Hand, false, false, false, false, false, true);
+        child(turns, to(Mode::Held, true));
       else if (blocks_ % Transitions::kSoon == 0)
-        child(Mode::Held, turns * Transitions::kSoon);
-      child(Mode::Changing, c);
+        child(turns * Transitions::kSoon, to(Mode::Held));
+      child(c, to(Mode::Changing));
       drawn(0.3 * c, false);
-      if (p.mode == Mode::Held) child(Mode::Empty, 0.3 * c);
-      if (blocks_ % Transitions::kSlow == 0)
-        child(Mode::Empty, Transitions::kSlow * never, Disturbing::Hand, false, false, false, false, true);
+      if (!empty) child(0.3 * c, to(Mode::Empty));
+      if (blocks_ % Transitions::kSlow == 0) {
+        Transition t = to(Mode::Empty);
+        t.never = true;
+        child(Transitions::kSlow * never, t);
+        child(Transitions::kSlow * pours, pouring(false));
+      }
       disturb();
-      if (p.mode == Mode::Empty) child(Mode::Pouring, kind.takes_up, Disturbing::Hand, false, true);
-      if (blocks_ % Transitions::kSlow == 0) child(Mode::Pouring, Transitions::kSlow * pours);
+      if (empty) child(kind.takes_up, pouring(true));
     } else if (p.mode == Mode::Pouring) {
       const double ends = p.quick ? Transitions::kQuickEnds : Transitions::kPourEnds;
-      child(Mode::Pouring, 1 - ends - c - Transitions::kDisturbs - kind.jolt, Disturbing::Hand, false, p.quick);
-      child(Mode::Held, ends);
-      child(Mode::Changing, c);
+      child(1 - ends - c - Transitions::kDisturbs - kind.jolt, pouring(p.quick));
+      child(ends, to(Mode::Held));
+      child(c, to(Mode::Changing));
       disturb();
     } else if (p.mode == Mode::Changing) {
-      child(Mode::Changing,
-            1 - Transitions::kSettles - Transitions::kEmpties - Transitions::kTurnsOut - Transitions::kZeroes);
-      child(Mode::Disturbed, Transitions::kTurnsOut);
+      child(1 - Transitions::kSettles - Transitions::kEmpties - Transitions::kTurnsOut - Transitions::kZeroes,
+            to(Mode::Changing));
+      child(Transitions::kTurnsOut, disturbed(Disturbing::Hand));
       const bool late = kind.lag > 0 && p.star.variance(kLag) < Transitions::kLate * Transitions::kLate;
       drawn(Transitions::kSettles * (late ? 1 - Transitions::kIsLate : 1), false);
       if (late) drawn(Transitions::kSettles * Transitions::kIsLate, true);
-      child(Mode::Empty, Transitions::kEmpties);
+      child(Transitions::kEmpties, to(Mode::Empty));
     } else {
       const bool jolt = p.how == Disturbing::Jolt, soft = p.how == Disturbing::Growing || p.how == Disturbing::Still;
       const double ends = jolt ? Transitions::kJoltEnds : soft ? Transitions::kTouchEnds : Transitions::kDisturbEnds;
       const double turns_out = (soft ? 0.3 : 1) * Transitions::kTurnsOut * std::min(1.0, c / 1e-3);
-      child(Mode::Disturbed,
-            1 - Transitions::kZeroes - ends - (soft ? 2 : 1) * turns_out -
+      child(1 - Transitions::kZeroes - ends - (soft ? 2 : 1) * turns_out -
                 (jolt ? 0
                       : Transitions::kOther * (p.how != Disturbing::Hand) +
                             Transitions::kSoftOther * (soft ? 1 : 2) * kind.slowly),
-            p.how);
-      child(p.payload == 0 ? Mode::Empty : Mode::Held, ends);
-      child(Mode::Changing, turns_out);
-      if (soft && blocks_ % Transitions::kSoon == 0)
-        child(Mode::Held, turns_out * Transitions::kSoon, Disturbing::Hand, true, false, false, true);
+            disturbed(p.how));
+      child(ends, to(p.payload == 0 ? Mode::Empty : Mode::Held));
+      child(turns_out, to(Mode::Changing));
+      if (soft && blocks_ % Transitions::kSoon == 0) {
+        Transition t = to(Mode::Held);
+        t.anew = t.turned = true;
+        child(turns_out * Transitions::kSoon, t);
+      }
       if (jolt) return;
       for (const Disturbing how : {Disturbing::Hand, Disturbing::Growing, Disturbing::Still})
         if (how != p.how)
-          child(Mode::Disturbed, how == Disturbing::Hand ? Transitions::kOther : Transitions::kSoftOther * kind.slowly,
-                how);
+          child(how == Disturbing::Hand ? Transitions::kOther : Transitions::kSoftOther * kind.slowly, disturbed(how));
     }
   }
 
-  Tale take_in(const Model& model, const Tale& parent, Mode mode, Disturbing how, bool anew, bool quick, bool late,
-               bool turned, bool never, bool swings, bool gains, bool zeroed, double log_transition) {
+  Tale take_in(const Model& model, const Tale& parent, const Transition& t) {
     Tale child = parent;
-    child.mode = mode;
-    child.how = how;
-    child.quick = quick;
+    child.mode = t.mode;
+    child.how = t.how;
+    child.quick = t.quick;
     model.predict(child.star);
-    if (zeroed) model.zero(child.star);
-    if (!swings) child.star.end_swing();
-    if (parent.mode == Mode::Pouring && mode != Mode::Pouring) child.star.end_pour();
-    child.log_weight += log_transition + (turned  ? turn(model, parent, child)
-                                          : never ? nothing(model, child)
-                                                  : likelihood(model, parent, child, anew, late, swings, gains));
+    if (t.zeroed) model.zero(child.star);
+    if (!t.swings) child.star.end_swing();
+    if (parent.mode == Mode::Pouring && t.mode != Mode::Pouring) child.star.end_pour();
+    child.log_weight += std::log(t.probability) + (t.turned  ? turn(model, parent, child)
+                                                   : t.never ? nothing(model, child)
+                                                             : likelihood(model, parent, child, t));
     return child;
   }
   /// There has been no payload since this one was drawn: what the joints' torques say of it, and its prior, at zero.
@@ -189,8 +212,7 @@ class EnumeratedStories {
     child.log_none.reset();
     return out + child.log_plausible;
   }
-  double likelihood(const Model& model, const Tale& parent, Tale& child, bool anew, bool late, bool swings,
-                    bool gains) {
+  double likelihood(const Model& model, const Tale& parent, Tale& child, const Transition& t) {
     const double duration = model.block().duration;
     double squared;  // of no use here
     if (child.mode == Mode::Disturbed) {
@@ -216,17 +238,17 @@ class EnumeratedStories {
       return observe(model, child.star, nullptr);
     }
     double out = 0;
-    if (anew) {
+    if (t.anew) {
       child.payload = child.next++;
       child.log_plausible = 0;
-      if (late) {
+      if (t.late) {
         Eigen::Matrix<double, kArmShared, 1> wider = Eigen::Matrix<double, kArmShared, 1>::Zero();
         wider[kLag] = Transitions::kLate * Transitions::kLate;
         child.star.widen_arm(wider);
       }
-      for (int j = 0; gains && j < Dofs; ++j) child.star.joint(j).covariance(kGain, kGain) += 0.02 * 0.02;
+      for (int j = 0; t.gains && j < Dofs; ++j) child.star.joint(j).covariance(kGain, kGain) += 0.02 * 0.02;
       child.held_for = 0;
-      out = draw(model, child.star, &child.log_none, swings ? &child : nullptr);
+      out = draw(model, child.star, &child.log_none, t.swings ? &child : nullptr);
     } else if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
         if (child.payload == 0) model.suppose_hidden(child.star, prior_.com_mean);
@@ -240,9 +262,9 @@ class EnumeratedStories {
       child.pour.predict(child.star, duration, prior_, rated_);
       out = observe(model, child.star, &child.pour);
     } else {
-      if (swings && parent.star.swings()) {
+      if (t.swings && parent.star.swings()) {
         child.swing.predict(child.star, duration);
-      } else if (swings) {
+      } else if (t.swings) {
         child.star.widen_payload(0.03 * 0.03 * std::exp(-child.held_for / 0.3));
         const double mass = child.held_for > 1 ? weight(child.star) / 9.81 : 0;  // somebody may lead the arm
         const Vector4<double> led = mass * mass * Vector4<double>(0.09, 0.01, 0.01, 0.01);
@@ -250,10 +272,10 @@ class EnumeratedStories {
         child.swing.predict(child.star, duration);
         child.log_none.reset();
       }
-      out = observe(model, child.star, nullptr, swings ? &child.swing : nullptr);
+      out = observe(model, child.star, nullptr, t.swings ? &child.swing : nullptr);
     }
     child.held_for += duration;
-    if (swings) child.swing.learn(child.star, duration, weight(child.star));
+    if (t.swings) child.swing.learn(child.star, duration, weight(child.star));
     const double before = child.log_plausible;
     child.log_plausible = plausible(child.star, child.mode == Mode::Pouring ? 0 : 0.007);
     return out + child.log_plausible - before;

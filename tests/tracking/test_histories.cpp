@@ -107,7 +107,7 @@ Key key(const rme::Story<double, Dofs>& s, bool how) {
   const int kind = s.mode == Mode::Disturbed                                 ? static_cast<int>(s.how)
                    : (s.mode == Mode::Pouring && s.quick) || s.star.swings() ? 1
                                                                              : 0;
-  return {static_cast<int>(s.mode), s.payload, how ? kind : 0};
+  return {static_cast<int>(s.mode), s.payload, how ? kind + 10 * s.tilted : 0};
 }
 template <typename Histories, typename Enumerated>
 std::pair<Weights, Weights> weights(const Histories& histories, const Enumerated& enumerated, bool how) {
@@ -131,22 +131,23 @@ TEST_CASE("Histories: where nothing is pruned, the weights are those of all stor
       for (unsigned seed = 580; seed < 583; ++seed) {
         CAPTURE(static_cast<int>(sensing), static_cast<int>(happens), seed);
         int blocks = 0;
-        run_both<2, 60>(kind, RandomBlocks<2>(seed, happens, 3), 8, [&](const auto& histories, const auto& enumerated) {
-          CAPTURE(++blocks);
-          CHECK(histories.count() == static_cast<int>(enumerated.stories.size()));
-          const auto [ours, theirs] = weights(histories, enumerated, true);
-          CHECK(ours.size() == theirs.size());
-          for (const auto& [what, weight] : theirs)
-            CHECK(std::abs(ours.count(what) ? ours.at(what) - weight : 1) < 1e-9);
-          double worst = 0;  // the filters of the heaviest stories, too
-          for (const auto& s : enumerated.stories)
-            for (int i = 0; i < histories.count(); ++i) {
-              const auto& other = histories.story(i);
-              if (histories.weight(i) < 1e-6 || !other.same(s)) continue;
-              worst = std::max(worst, (other.star.mean() - s.star.mean()).norm());
-            }
-          CHECK(worst < 1e-9);
-        });
+        run_both<2, 120>(kind, RandomBlocks<2>(seed, happens, 3), 8,
+                         [&](const auto& histories, const auto& enumerated) {
+                           CAPTURE(++blocks);
+                           CHECK(histories.count() == static_cast<int>(enumerated.stories.size()));
+                           const auto [ours, theirs] = weights(histories, enumerated, true);
+                           CHECK(ours.size() == theirs.size());
+                           for (const auto& [what, weight] : theirs)
+                             CHECK(std::abs(ours.count(what) ? ours.at(what) - weight : 1) < 1e-9);
+                           double worst = 0;  // the filters of the heaviest stories, too
+                           for (const auto& s : enumerated.stories)
+                             for (int i = 0; i < histories.count(); ++i) {
+                               const auto& other = histories.story(i);
+                               if (histories.weight(i) < 1e-6 || !other.same(s)) continue;
+                               worst = std::max(worst, (other.star.mean() - s.star.mean()).norm());
+                             }
+                           CHECK(worst < 1e-9);
+                         });
         REQUIRE(blocks == 8);
       }
     }
@@ -196,9 +197,7 @@ TEST_CASE("Histories: stories that are given up or not computed hardly change th
         if (happens != Happens::Attach) {
           // Where friction hides a slow take-up, the pours that are given up while nothing happens weigh more.
           const double most = sensing == Sensing::JointFriction ? 1e-2 : 1e-3;
-          // In two removals of forty a tilted base, given up before, would have had 1 to 2 % for some blocks.
-          CHECK(largest[happens == Happens::Removal ? 37 : 39] < most);
-          CHECK(last[39] < most);
+          CHECK(largest[39] < most);
         } else if (sensing != Sensing::RoughModel) {
           CHECK(last[20] < 1e-3);
           CHECK(last[32] < 0.01);

@@ -391,7 +391,7 @@ TEST_CASE("JointTorqueModel: the torque depends on lag, tool, tilt and payload a
     for (const bool known : {false, true}) {
       Eigen::Matrix<double, kDofs, 3> arm = arm.NullaryExpr(draw);
       if (known) block.gravity_torque = arm;
-      model.begin(block, Regime());
+      model.begin(block, Regime(), {}, Model::Tilt(0, 0));
       Eigen::Matrix<double, kDofs, 2> tilt;
       for (int j = 0; j < kDofs; ++j) {
         const auto o = model.observation(j, {});
@@ -408,6 +408,39 @@ TEST_CASE("JointTorqueModel: the torque depends on lag, tool, tilt and payload a
       // The same whichever two orthogonal axes are chosen.
       CHECK(across.trace() == Approx((turned.transpose() * turned).trace()));
       CHECK((tilt * tilt.transpose() - turned * turned.transpose()).norm() < 1e-9 * turned.squaredNorm());
+    }
+  }
+}
+
+TEST_CASE(
+    "JointTorqueModel: a tilt shows a residual of a third of its torque, unless the arm's gravity torque is known",
+    "[joint_torque]") {
+  const unsigned seed = 707;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const auto draw = [&] { return normal(random); };
+  for (const bool known : {false, true}) {
+    CAPTURE(known);
+    Model model(rme::kind_of(Sensing::LinkSide), kArm, 3, 0.01, {0, 0, -9.81});
+    Block block = at_rest();
+    block.jacobian = block.jacobian.NullaryExpr(draw);
+    block.regressor = block.regressor.NullaryExpr(draw);
+    if (known) block.gravity_torque = Eigen::Matrix<double, kDofs, 3>::NullaryExpr(draw);
+    model.begin(block, Regime(), {}, Model::Tilt(0, 0));
+    auto star = model.prior();
+    model.tilt(star, 0.04);
+    block.velocity.setConstant(1e3);  // so far that nothing is kept of the residual
+    model.begin(block, Regime(), {}, Model::Tilt(0, 0));
+    for (int j = 0; j < kDofs; ++j) {
+      const double torque = 0.04 * model.observation(j, {}).h.segment<2>(rme::kTilt).norm();
+      CHECK(torque > 0);
+      const double expected = known ? 0 : 0.34 * 0.34 * torque * torque;
+      CHECK(star.joint(j).covariance(rme::kResidual, rme::kResidual) == Approx(expected));
+      auto moved = star;
+      model.predict(moved);
+      CHECK(moved.joint(j).covariance(rme::kResidual, rme::kResidual) ==
+            Approx(model.noise().residual_variance(j) + expected));
     }
   }
 }

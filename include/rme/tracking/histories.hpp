@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
@@ -48,14 +49,14 @@ class Histories {
     Tale& holds = told(1);
     holds.mode = Mode::Changing;
     holds.log_weight = log(Scalar(kHeldAtStart));
-    const auto off = [&](Tale& story, double probability, double times) {
-      story = empty;
-      story.log_weight = log(Scalar(probability));
-      for (int j = 0; j < Dofs; ++j) story.star.joint(j).covariance(kOffset, kOffset) *= Scalar(times * times);
-    };
-    off(told(2), kOffAtStart, kOff);
-    off(told(3), kTiltedAtStart, kTiltedOff);
-    told(3).star.set_tilt(Scalar(kTilted));
+    told(2) = empty;
+    Tale& off = told(2);
+    off.log_weight = log(Scalar(kOffAtStart));
+    for (int j = 0; j < Dofs; ++j) off.star.joint(j).covariance(kOffset, kOffset) *= Scalar(kOff * kOff);
+    told(3) = empty;
+    Tale& tilted = told(3);
+    tilted.tilted = true;
+    tilted.log_weight = log(Scalar(kTiltedAtStart));
     count_ = 4;
   }
 
@@ -67,10 +68,7 @@ class Histories {
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
              const BlockContext<Scalar, Dofs>& context, Children& children) noexcept {
     work_ = &children;
-    if (blocks_ == 0 && !block.gravity_torque)
-      for (int i = 0; i < count_; ++i) filter_.model().lay_flat(told(i).star);
-    const auto& mean = told(0).star.mean();
-    filter_.model().begin(block, regime, context, {mean[kTilt], mean[kTilt + 1]});
+    begin_model(block, regime, context);
     exchange_likely_ = context.exchange_likely;
     log_share_ = context.log_share;
     heaviest_ = Scalar(-1e30);
@@ -191,7 +189,7 @@ class Histories {
   enum class Phase : std::uint8_t {
     Settled,  ///< the likeliest settled story goes on
     Shaken,   ///< or single joints are shaken, if that story explains the block badly
-    GoesOn,   ///< the other stories go on; if the first was shaken, all are: no other takes in such a block
+    GoesOn,   ///< the other stories go on; if the first was shaken, all of the same arm are: none takes in such a block
     Begins,   ///< something begins or ends
   };
   static constexpr double kUnlikely = -11;      // log probability of a kind below which less is computed for it
@@ -202,8 +200,7 @@ class Histories {
   static constexpr double kOffAtStart = 0.01;     // probability that the arm's torques are off by more than stated
   static constexpr double kOff = 30;              // how much more, times the stated offset
   static constexpr double kTiltedAtStart = 0.05;  // probability that the base is tilted
-  static constexpr double kTilted = 0.06;         // by how much, about either axis [rad]
-  static constexpr double kTiltedOff = 5;         // and how much more the offsets are off then
+  static constexpr double kTilted = 0.04;         // by how much, about either axis [rad]
   static constexpr double kPourDepth = 8;         // log odds at which a pour is given up while nothing happens [nats]
   static constexpr int kPlans = Transitions::kMost * Capacity;
 
@@ -224,14 +221,15 @@ class Histories {
   bool due(int i, const Transition& t) const noexcept {
     const bool settled = told(i).settled();
     const bool jolt = t.mode == Mode::Disturbed && t.how == Disturbing::Jolt;
-    const bool shaken = settled && jolt && (jolted_ || (i == settled_ && settled_squared_ > Scalar(kSurprise)));
+    const bool jolted = jolted_ && settled && told(i).tilted == told(settled_).tilted;
+    const bool shaken = settled && jolt && (jolted || (i == settled_ && settled_squared_ > Scalar(kSurprise)));
     switch (phase_) {
       case Phase::Settled:
         return i == settled_ && t.goes_on;
       case Phase::Shaken:
         return i == settled_ && shaken;
       case Phase::GoesOn:
-        return i != settled_ && (jolted_ && settled ? jolt : t.goes_on);
+        return i != settled_ && (jolted ? jolt : t.goes_on);
       case Phase::Begins:
         break;
     }
@@ -269,6 +267,24 @@ class Histories {
 
   static InertialGaussian<Scalar> payload_in(const Star& star) noexcept {
     return {star.payload_mean(), star.payload_covariance()};
+  }
+  /// Begins a block in the model of the arm. With the arm's gravity torque from the host, each story has the tilt of a
+  /// levelled base, and finds more if there is more; without, one story alone has a tilt.
+  void begin_model(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
+                   const BlockContext<Scalar, Dofs>& context) noexcept {
+    using Tilt = typename JointTorqueModel<Scalar, Dofs>::Tilt;
+    const bool known = block.gravity_torque.has_value(), first = blocks_ == 0;
+    bool tilts = known;
+    for (int i = 0; i < count_; ++i) {
+      if (first && known) told(i).tilted = false;
+      if (first && !known) told(i).star.set_tilt(Scalar(0));
+      tilts = tilts || told(i).tilted;
+    }
+    const auto& mean = told(0).star.mean();
+    filter_.model().begin(block, regime, context,
+                          tilts ? std::optional<Tilt>(Tilt(mean[kTilt], mean[kTilt + 1])) : std::nullopt);
+    for (int i = 0; i < count_; ++i)
+      if (first && told(i).tilted) filter_.model().tilt(told(i).star, Scalar(kTilted));
   }
   Tale& told(int i) noexcept { return told_[at(i)]; }
   const Tale& told(int i) const noexcept { return told_[at(i)]; }

@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <rme/core/types.hpp>
-#include <rme/tracking/arm_gravity.hpp>
 #include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/base_tilt.hpp>
 #include <rme/tracking/friction_regime.hpp>
 #include <rme/tracking/sensing_kind.hpp>
 #include <rme/tracking/sensor_noise.hpp>
@@ -32,9 +33,9 @@ struct Load {
 template <typename Scalar, int Dofs>
 class JointTorqueModel {
  public:
-  using Star = StarGaussian<Scalar, Dofs>;   ///< state of a filter
-  using Torque = JointVector<Scalar, Dofs>;  ///< one number per joint
-  using Tilt = Eigen::Matrix<Scalar, 2, 1>;  ///< of the base [rad]
+  using Star = StarGaussian<Scalar, Dofs>;               ///< state of a filter
+  using Torque = JointVector<Scalar, Dofs>;              ///< one number per joint
+  using Tilt = typename BaseTilt<Scalar, Dofs>::Angles;  ///< of the base [rad]
 
   /// @param kind           row of the kind of torque sensing
   /// @param arm            sizes of noise, offset, residual and friction before the first sample
@@ -48,6 +49,7 @@ class JointTorqueModel {
         rated_(rated_payload),
         inertia_arm_(inertia_arm),
         noise_(kind_, arm),
+        base_(gravity, rated_payload),
         gravity_(gravity) {
     const auto share = static_cast<Scalar>(kind_.friction);
     arm_.coulomb *= share;
@@ -62,7 +64,7 @@ class JointTorqueModel {
     shared[kLag] = square(kind_.lag);
     shared[kTool] = square(kind_.tool) * rated_ * rated_;
     for (int i = 1; i < 4; ++i) shared[kTool + i] = square(kind_.tool * kToolArm) * rated_ * rated_;
-    shared[kTilt] = shared[kTilt + 1] = square(kTiltSpread);
+    shared[kTilt] = shared[kTilt + 1] = square(BaseTilt<Scalar, Dofs>::kLevelled);
     star.set_arm(shared);
     for (int j = 0; j < Dofs; ++j) {
       auto& joint = star.joint(j);
@@ -80,16 +82,20 @@ class JointTorqueModel {
   /// @param regime   which joints rest in it
   /// @param context  what else is known of it. Unless friction_shows is set, a change of the torque while the arm rests
   ///                 is not taken for a change of friction
-  /// @param tilt     what is known of it: where the block has the arm's gravity torque, the payload's weight is turned by
-  ///                 it as well
+  /// @param tilt     of the base, as far as it is known, if any story has one: where the block has the arm's gravity
+  ///                 torque, the payload's weight is turned by it as well
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
-             const BlockContext<Scalar, Dofs>& context = {}, const Tilt& tilt = Tilt::Zero()) noexcept;
+             const BlockContext<Scalar, Dofs>& context = {}, const std::optional<Tilt>& tilt = std::nullopt) noexcept;
   /// Time update: changes the nuisances from the last block to this one. To be called before the update with the
   /// block's torque.
   void predict(Star& star) const noexcept;
-  /// Without the arm's gravity torque from the host, only a story that says so has a tilted base.
-  void lay_flat(Star& star) const noexcept {
-    if (star.variance(kTilt) < Scalar(2 * kTiltSpread * kTiltSpread)) star.set_tilt(Scalar(0));
+  /// The base is tilted, so much that links that weigh other than usual ones show.
+  /// @param star       before the first block
+  /// @param deviation  standard deviation of each angle [rad]
+  void tilt(Star& star, Scalar deviation) const noexcept {
+    star.set_tilt(deviation);
+    const Torque unlike = unlike_variance(star);
+    for (int j = 0; j < Dofs; ++j) star.joint(j).covariance(kResidual, kResidual) += unlike[j];
   }
   /// A payload that is taken up slowly is taken for friction and offset at first. Supposes that the empty hand of `star`
   /// already holds as much as they can have hidden so far.
@@ -192,12 +198,9 @@ class JointTorqueModel {
  private:
   static constexpr double kGainDrift = 0.004;  // random walk of a torque sensor's gain [1/s^(1/2)]
   static constexpr double kStictionShare = 0.6;
-  static constexpr double kHidden = 3;         // standard deviations of all joints together that may hide a payload
-  static constexpr double kToolArm = 0.1;      // spread of the tool error's first moment, per kg of its mass [m]
-  static constexpr double kTiltSpread = 0.02;  // of gravity's direction [rad]
-  static constexpr double kArmMass = 5;        // of the arm itself, per rated payload
-  static constexpr double kUnlike = 0.3;       // how far links are from usual ones: of the tilt [1/rad^(1/2)]
-  static constexpr double kJump = 6.25;        // variance of a jump of the stiction, in stiction variances
+  static constexpr double kHidden = 3;     // standard deviations of all joints together that may hide a payload
+  static constexpr double kToolArm = 0.1;  // spread of the tool error's first moment, per kg of its mass [m]
+  static constexpr double kJump = 6.25;    // variance of a jump of the stiction, in stiction variances
 
   /// One step of a first-order autoregressive process: nuisance n of joint j is multiplied by `keep`, and noise is
   /// added such that its stationary variance is `variance`.
@@ -213,6 +216,11 @@ class JointTorqueModel {
   void follow_torque(const TorqueBlock<Scalar, Dofs>& block) noexcept;
   void follow_compensation(const TorqueBlock<Scalar, Dofs>& block, const BlockContext<Scalar, Dofs>& context) noexcept;
   void turn(const TorqueBlock<Scalar, Dofs>& block) noexcept;
+  /// Variance of what a tilt's torque has wrong if the links are usual ones [(N m)^2].
+  Torque unlike_variance(const Star& star) const noexcept {
+    if (block_.gravity_torque) return Torque::Zero();
+    return BaseTilt<Scalar, Dofs>::unlike_variance(tilt_, star);
+  }
   /// Stationary variance of the stiction [(N m)^2]. The standard deviation is 0.6 of the prior's Coulomb friction, and
   /// at most the Coulomb friction that motion has shown; what the kind adds to it is in proportion to the residual.
   Scalar stiction_variance(const Star& star, int j) const noexcept {
@@ -238,6 +246,7 @@ class JointTorqueModel {
   // Per joint [N m]: average of the torque over the last 0.08 s; change of the motor's torque in this block
   // (follow_torque(), follow_compensation()); changes of the compensation that tau_ext does not show yet.
   Torque recent_torque_ = Torque::Zero(), torque_change_ = Torque::Zero(), pending_ = Torque::Zero();
+  BaseTilt<Scalar, Dofs> base_;
   Vector3<Scalar> gravity_;
   Eigen::Matrix<Scalar, Dofs, 2> tilt_ = Eigen::Matrix<Scalar, Dofs, 2>::Zero();  // d tau / d tilt [N m/rad]
   Torque timing_noise_ = Torque::Zero(), inertia_noise_ = Torque::Zero();         // variances [(N m)^2], [(N m / kg)^2]
@@ -246,7 +255,8 @@ class JointTorqueModel {
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                            const FrictionRegime<Scalar, Dofs>& regime,
-                                           const BlockContext<Scalar, Dofs>& context, const Tilt& tilt) noexcept {
+                                           const BlockContext<Scalar, Dofs>& context,
+                                           const std::optional<Tilt>& tilt) noexcept {
   constexpr double kCorrelated = 2.5;
   constexpr double kTiming = 0.0006;   // standard deviation of the torque's timing error [s]
   constexpr double kSteps = 8.0 / 12;  // variance of a rounding error, 1 / 12, times the blocks that it may last
@@ -279,31 +289,9 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     inertia_noise_[j] = linear * lever + (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) * turn;
   }
   tilt_.setZero();
-  // Two axes across gravity; turning gravity by a small angle about e adds e x g to it.
-  const Vector3<Scalar> g = gravity_;
-  const int least = std::abs(g[0]) < std::abs(g[2]) ? 0 : 2;
-  Vector3<Scalar> first = g.cross(Vector3<Scalar>::Unit(least));
-  first /= std::sqrt(detail::dot(first, first));
-  const Vector3<Scalar> second = g.cross(first) / std::sqrt(detail::dot(g, g));
-  const Vector3<Scalar> along[2] = {first.cross(g), second.cross(g)};
-  const Eigen::Matrix<Scalar, Dofs, 3> pull =
-      block.gravity_torque ? *block.gravity_torque
-                           : usual_gravity_torque<Scalar, Dofs>(block.jacobian, Scalar(kArmMass) * rated_);
-  for (int j = 0; j < Dofs; ++j)
-    for (int k = 0; k < 2; ++k)
-      for (int axis = 0; axis < 3; ++axis) tilt_(j, k) -= pull(j, axis) * along[k][axis];
+  if (tilt) tilt_ = base_.regressor(block);
   block_ = block;
-  if (block.gravity_torque) {                          // the weight of what is held acts along the true gravity
-    Vector3<Scalar> turned = Vector3<Scalar>::Zero();  // by how much the tilt changes gravity
-    for (int k = 0; k < 2; ++k) detail::add_scaled(turned, tilt[k], along[k]);
-    const Matrix3<Scalar> lever = detail::product(skew(turned), block.rotation);
-    for (int j = 0; j < Dofs; ++j) {
-      for (int axis = 0; axis < 3; ++axis) {
-        block_.regressor(j, 0) += block.jacobian(axis, j) * turned[axis];
-        for (int i = 0; i < 3; ++i) block_.regressor(j, 1 + i) -= block.jacobian(3 + axis, j) * lever(axis, i);
-      }
-    }
-  }
+  if (tilt && block.gravity_torque) base_.turn_weight(block_, *tilt);
   regime_ = regime;
   friction_shows_ = context.friction_shows;
   exchange_likely_ = context.exchange_likely;
@@ -369,20 +357,14 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
   // The residual is a function of the pose: an Ornstein-Uhlenbeck process over the distance that the joints move (T27).
   const Scalar way = block_.velocity.norm() * block_.elapsed();
   const Scalar keep = exp(-way / static_cast<Scalar>(kind_.way));
-  if (!block_.gravity_torque) {  // links that weigh other than usual make another tilt of it in each pose
-    Scalar square = Scalar(0);
-    for (int i = kTilt; i < kTilt + 2; ++i) square += star.mean()[i] * star.mean()[i] + star.variance(i);
-    Eigen::Matrix<Scalar, kArmShared, 1> unlike = Eigen::Matrix<Scalar, kArmShared, 1>::Zero();
-    unlike[kTilt] = unlike[kTilt + 1] = Scalar(kUnlike * kUnlike) * way * square;
-    if (unlike[kTilt] > 0) star.widen_arm(unlike);
-  }
+  const Torque unlike = unlike_variance(star);
   const Scalar hold =
       exp(-block_.elapsed() * static_cast<Scalar>(regime_.arm_moves() ? kind_.creep : kind_.creep_at_rest));
   for (int j = 0; j < Dofs; ++j) {
     auto& joint = star.joint(j);
     auto& V = joint.covariance;
     const Scalar turned = static_cast<Scalar>(kind_.turn) * turned_[j];
-    renew(star, j, kResidual, keep * exp(-turned), noise_.residual_variance(j));
+    renew(star, j, kResidual, keep * exp(-turned), noise_.residual_variance(j) + unlike[j]);
     const Scalar drift = Scalar(kOffsetDrift) * arm_.residual[j];
     V(kOffset, kOffset) += drift * drift;
     if (!(kind_.friction > 0)) continue;

@@ -105,6 +105,16 @@ class StarGaussian {
     using std::sqrt;
     for (int i = 0; i < kArmShared; ++i) factor_(i, i) = sqrt(variance[i]);
   }
+  /// E[a a^T] of the tilt a [rad^2].
+  Eigen::Matrix<Scalar, 2, 2> tilt_square() const noexcept {
+    Eigen::Matrix<Scalar, 2, 2> out;
+    for (int i = 0; i < 2; ++i)
+      for (int k = 0; k < 2; ++k) {
+        out(i, k) = mean_[kTilt + i] * mean_[kTilt + k];
+        for (int l = 0; l < size_; ++l) out(i, k) += factor_(kTilt + i, l) * factor_(kTilt + k, l);
+      }
+    return out;
+  }
   /// Sets the standard deviation of the tilt [rad], of which nothing has been learned yet.
   void set_tilt(Scalar deviation) noexcept { factor_(kTilt, kTilt) = factor_(kTilt + 1, kTilt + 1) = deviation; }
 

@@ -23,18 +23,20 @@ struct Story {
   Mode mode = Mode::Empty;                ///< of the last block
   Disturbing how = Disturbing::Hand;      ///< of Mode::Disturbed
   bool quick = false;                     ///< of Mode::Pouring: it is taken up quickly
-  int payload = 0;                        ///< which payload is held; 0 for none
-  int next = 1;                           ///< name of the payload that will be held next
-  Scalar held_for = Scalar(0);            ///< since the payload was drawn, disturbed blocks left out [s]
-  Scalar log_weight = Scalar(0);          ///< log probability
-  Scalar log_plausible = Scalar(0);       ///< log probability that the mass is plausible, as counted so far
+  bool tilted = false;               ///< the base is tilted, and the host does not say what gravity does to the arm
+  int payload = 0;                   ///< which payload is held; 0 for none
+  int next = 1;                      ///< name of the payload that will be held next
+  Scalar held_for = Scalar(0);       ///< since the payload was drawn, disturbed blocks left out [s]
+  Scalar log_weight = Scalar(0);     ///< log probability
+  Scalar log_plausible = Scalar(0);  ///< log probability that the mass is plausible, as counted so far
   /// Log density at phi = 0 of the prior that the payload was drawn from; only if it was drawn, and nothing poured since.
   std::optional<Scalar> log_none;
 
   /// Whether both say the same of the present. They may differ in when it began.
   bool same(const Story& other) const noexcept {
     return mode == other.mode && payload == other.payload && (mode != Mode::Disturbed || how == other.how) &&
-           (mode != Mode::Pouring || quick == other.quick) && star.swings() == other.star.swings();
+           (mode != Mode::Pouring || quick == other.quick) && star.swings() == other.star.swings() &&
+           tilted == other.tilted;
   }
   /// The name of a payload that is held from now on.
   int take_next() noexcept { return next++; }

@@ -1,7 +1,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
-#include <rme/tracking/arm_gravity.hpp>
+#include <rme/tracking/base_tilt.hpp>
 #include <synthetic_arm/panda.hpp>
 
 #include "support/catch.hpp"
@@ -20,7 +20,7 @@ rme::Jacobian<double, Dofs> jacobian_of(const Eigen::Matrix<double, 3, Dofs>& jo
   return J;
 }
 
-TEST_CASE("usual_gravity_torque: an arm of such links has it, in any pose", "[arm_gravity]") {
+TEST_CASE("usual_gravity_torque: an arm of such links has it, in any pose", "[base_tilt]") {
   // A planar arm, whose axes are parallel: the joints are where the axes meet its plane.
   const unsigned seed = 1180;
   CAPTURE(seed);
@@ -50,7 +50,7 @@ TEST_CASE("usual_gravity_torque: an arm of such links has it, in any pose", "[ar
   }
 }
 
-TEST_CASE("usual_gravity_torque: of a Panda, within a third, in random poses", "[arm_gravity]") {
+TEST_CASE("usual_gravity_torque: of a Panda, within a third, in random poses", "[base_tilt]") {
   const unsigned seed = 1181;
   CAPTURE(seed);
   std::mt19937 random(seed);
