@@ -13,6 +13,7 @@
 #include <synthetic_arm/synthetic_arm.hpp>
 #include <vector>
 
+#include "support/any_joints.hpp"
 #include "support/catch.hpp"
 #include "support/held_arm.hpp"
 

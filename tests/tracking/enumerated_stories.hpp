@@ -31,7 +31,8 @@ TorqueBlock<Scalar, Dofs> block_at_rest(const Eigen::Matrix<Scalar, 6, Dofs>& ja
   return block;
 }
 
-/// What Histories computes, without its shortcuts: a list of stories that grows without bound. Those that say the same of the present are added up, or are not.
+/// What Histories computes, without its shortcuts: a list of stories that grows without bound. Those that say the same of the
+/// present are added up.
 template <int Dofs>
 class EnumeratedStories {
  public:
@@ -39,8 +40,9 @@ class EnumeratedStories {
   using Tale = Story<double, Dofs>;
   using Model = JointTorqueModel<double, Dofs>;
 
-  EnumeratedStories(const H& fresh, const PayloadPrior<double>& prior, double rated, bool adds_up)
-      : prior_(prior), rated_(rated), adds_up_(adds_up) {
+  /// @param alone  of the arm that is not the likeliest story's, the heaviest story lives on alone
+  EnumeratedStories(const H& fresh, const PayloadPrior<double>& prior, double rated, bool alone)
+      : prior_(prior), rated_(rated), alone_(alone) {
     for (int i = 0; i < fresh.count(); ++i) stories.push_back(fresh.story(i));
   }
 
@@ -335,7 +337,11 @@ class EnumeratedStories {
   /// Of those that say the same the heavier one's filter lives on.
   void add(const Tale& child) {
     for (Tale& s : next_) {
-      if (!adds_up_ || !s.same(child)) continue;
+      if (alone_ && s.tilted == child.tilted && s.tilted != stories.front().tilted && !s.same(child)) {
+        if (child.log_weight >= s.log_weight) s = child;
+        return;
+      }
+      if (!s.same(child)) continue;
       const double high = std::max(s.log_weight, child.log_weight);
       const double sum = high + std::log(std::exp(s.log_weight - high) + std::exp(child.log_weight - high));
       if (child.log_weight >= s.log_weight) s = child;
@@ -347,7 +353,7 @@ class EnumeratedStories {
 
   PayloadPrior<double> prior_;
   double rated_;
-  bool adds_up_;
+  bool alone_;
   long blocks_ = 0;
   std::vector<Tale> next_;
 };

@@ -82,12 +82,12 @@ class RandomBlocks {
   rme::Vector6<double> wrench_;
 };
 
-/// Runs `blocks` of both; `see(histories, enumerated)` after each block.
+/// Runs `blocks` of both, `alone` as in EnumeratedStories; `see(histories, enumerated)` after each block.
 template <int Dofs, int Capacity, typename See>
-void run_both(const rme::SensingKind& kind, RandomBlocks<Dofs> random, int blocks, const See& see) {
+void run_both(const rme::SensingKind& kind, RandomBlocks<Dofs> random, int blocks, bool alone, const See& see) {
   const auto histories = std::make_unique<rme::Histories<double, Dofs, Capacity>>(fresh<Dofs, Capacity>(kind));
   const auto children = std::make_unique<rme::StoryChildren<double, Dofs, Capacity>>();
-  EnumeratedStories<Dofs> enumerated(fresh<Dofs, 7>(kind), rme::PayloadPrior<double>::of(kRated), kRated, true);
+  EnumeratedStories<Dofs> enumerated(fresh<Dofs, 7>(kind), rme::PayloadPrior<double>::of(kRated), kRated, alone);
   rme::FrictionRegime<double, Dofs> regime;
   for (int k = 0; k < blocks; ++k) {
     const auto block = random.next();
@@ -131,7 +131,7 @@ TEST_CASE("Histories: where nothing is pruned, the weights are those of all stor
       for (unsigned seed = 580; seed < 583; ++seed) {
         CAPTURE(static_cast<int>(sensing), static_cast<int>(happens), seed);
         int blocks = 0;
-        run_both<2, 120>(kind, RandomBlocks<2>(seed, happens, 3), 8,
+        run_both<2, 120>(kind, RandomBlocks<2>(seed, happens, 3), 8, true,
                          [&](const auto& histories, const auto& enumerated) {
                            CAPTURE(++blocks);
                            CHECK(histories.count() == static_cast<int>(enumerated.stories.size()));
@@ -162,7 +162,7 @@ struct Variation {
 template <int Capacity>
 Variation variation(const rme::SensingKind& kind, unsigned seed, Happens happens, int when, int blocks) {
   Variation out;
-  run_both<7, Capacity>(kind, RandomBlocks<7>(seed, happens, when), blocks,
+  run_both<7, Capacity>(kind, RandomBlocks<7>(seed, happens, when), blocks, false,
                         [&](const auto& histories, const auto& enumerated) {
                           auto [ours, theirs] = weights(histories, enumerated, false);
                           double sum = 0;

@@ -322,15 +322,17 @@ class Histories {
       settled_squared_ = innovation.squared / Scalar(Dofs);
     }
     int place = -1;
+    const bool unlikely = child.tilted != told(0).tilted;
     for (int i = 0; i < children_ && place < 0; ++i) {
-      if (!next(i).same(child)) continue;
-      const Scalar high = std::max(next(i).log_weight, child.log_weight);
-      const Scalar sum = high + log(exp(next(i).log_weight - high) + exp(child.log_weight - high));
-      if (next(i).log_weight > child.log_weight) {
-        next(i).log_weight = sum;
-        return;
+      const bool same = next(i).same(child), heavier = next(i).log_weight > child.log_weight;
+      if (same) {
+        const Scalar high = std::max(next(i).log_weight, child.log_weight);
+        const Scalar sum = high + log(exp(next(i).log_weight - high) + exp(child.log_weight - high));
+        (heavier ? next(i) : child).log_weight = sum;
       }
-      child.log_weight = sum;
+      // Of an arm that is not the likeliest story's, the heaviest story lives on alone.
+      if (!same && !(unlikely && next(i).tilted == child.tilted)) continue;
+      if (heavier) return;
       place = i;
     }
     if (place < 0 && children_ < Capacity) place = children_++;
