@@ -166,7 +166,7 @@ TEST_CASE("Estimator: a kilogram is mostly still held after the torque sensors w
       if (host.estimator.state().held > 0.1) ++stays;
     }
     CAPTURE(friction, right, silent, stays);
-    CHECK(right >= (friction ? 7 : 16));
+    CHECK(right >= (friction ? 8 : 16));
     CHECK(silent == 0);
     CHECK(stays == 0);
   }
