@@ -174,6 +174,8 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
   // The residual's scale is learned as the arm runs. The ratios between joints in a log hold for its poses only. So
   // they are raised to this power, which was chosen on the recordings of docs/real_arms.md.
   constexpr double kTrust = 0.4;
+  // Friction of a gear that was measured once changes from day to day, as it wears and warms up.
+  constexpr double kFrictionStd = 0.3;
   double friction = 0, noise = 0, residual = 0, limit = 0, scale = 0;
   const auto ratio = [&](int j) {
     return std::max(joints[static_cast<std::size_t>(j)].residual / usual.residual[j], 1e-3);
@@ -192,6 +194,7 @@ rme::EstimatorConfig<double, Dofs> settings_of(const std::vector<JointFindings>&
     if (joint.friction_known) {
       arm.coulomb[j] = std::max(joint.coulomb, 1e-3);
       arm.viscous[j] = std::max(joint.viscous, 1e-3);
+      arm.friction_std = kFrictionStd;
       friction += joint.coulomb;
       noise += joint.noise + joint.residual;
     }

@@ -58,7 +58,13 @@ class Holding(enum.IntEnum):
 
 class ArmPrior:
     def __init__(
-        self, noise: ArrayLike, offset: ArrayLike, residual: ArrayLike, coulomb: ArrayLike, viscous: ArrayLike
+        self,
+        noise: ArrayLike,
+        offset: ArrayLike,
+        residual: ArrayLike,
+        coulomb: ArrayLike,
+        viscous: ArrayLike,
+        friction_std: float = 0.5,
     ) -> None: ...
     @staticmethod
     def of(joints: int, rated_payload: float) -> ArmPrior: ...
@@ -82,6 +88,10 @@ class ArmPrior:
     def viscous(self) -> NDArray[np.float64]: ...
     @viscous.setter
     def viscous(self, value: ArrayLike) -> None: ...
+    @property
+    def friction_std(self) -> float: ...
+    @friction_std.setter
+    def friction_std(self, value: float) -> None: ...
 
 class PayloadPrior:
     def __init__(self, mass_mean: float, mass_std: float, com_mean: ArrayLike, com_std: ArrayLike) -> None: ...

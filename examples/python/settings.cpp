@@ -45,7 +45,7 @@ template <int Dofs = kFewest>
 Joints default_arm(int joints, double rated_payload) {
   if (joints == Dofs) {
     const auto prior = ArmPrior<double, Dofs>::of(rated_payload);
-    return {prior.noise, prior.offset, prior.residual, prior.coulomb, prior.viscous};
+    return {prior.noise, prior.offset, prior.residual, prior.coulomb, prior.viscous, prior.friction_std};
   }
   if constexpr (Dofs < kMost) {
     return default_arm<Dofs + 1>(joints, rated_payload);
@@ -114,15 +114,15 @@ void bind_priors(py::module_& module) {
       module, "ArmPrior",
       "Sizes of the joints' noise, offset, residual and friction, one number > 0 per joint.\n\n"
       "The fields are NumPy views: assign to them, or change their entries.");
-  arm.def(
-      py::init([](const py::object& noise, const py::object& offset, const py::object& residual,
-                  const py::object& coulomb, const py::object& viscous) {
-        return PythonArmPrior({joint_vector(noise, "ArmPrior.noise"), joint_vector(offset, "ArmPrior.offset"),
-                               joint_vector(residual, "ArmPrior.residual"), joint_vector(coulomb, "ArmPrior.coulomb"),
-                               joint_vector(viscous, "ArmPrior.viscous")});
-      }),
-      py::arg("noise"), py::arg("offset"), py::arg("residual"), py::arg("coulomb"), py::arg("viscous"),
-      "From five arrays of one number per joint; they are copied.");
+  arm.def(py::init([](const py::object& noise, const py::object& offset, const py::object& residual,
+                      const py::object& coulomb, const py::object& viscous, const py::object& friction_std) {
+            return PythonArmPrior({joint_vector(noise, "ArmPrior.noise"), joint_vector(offset, "ArmPrior.offset"),
+                                   joint_vector(residual, "ArmPrior.residual"),
+                                   joint_vector(coulomb, "ArmPrior.coulomb"), joint_vector(viscous, "ArmPrior.viscous"),
+                                   number(friction_std, "ArmPrior.friction_std")});
+          }),
+          py::arg("noise"), py::arg("offset"), py::arg("residual"), py::arg("coulomb"), py::arg("viscous"),
+          py::arg("friction_std") = 0.5, "From five arrays of one number per joint, which are copied, and a number.");
   arm.def_static(
       "of",
       [](const py::object& joints, const py::object& rated_payload) {
@@ -139,12 +139,13 @@ void bind_priors(py::module_& module) {
   add_view(arm, "residual", "ArmPrior.residual",
            "Size of the joint's noise and residual relative to a Panda's (no unit).",
            [](PythonArmPrior& self) -> AnyVector& { return self.values->residual; });
-  add_view(arm, "coulomb", "ArmPrior.coulomb",
-           "Mean of the Coulomb friction; its standard deviation is half of this [N m].",
+  add_view(arm, "coulomb", "ArmPrior.coulomb", "Mean of the Coulomb friction [N m].",
            [](PythonArmPrior& self) -> AnyVector& { return self.values->coulomb; });
-  add_view(arm, "viscous", "ArmPrior.viscous",
-           "Mean of the viscous friction; its standard deviation is half of this [N m s/rad].",
+  add_view(arm, "viscous", "ArmPrior.viscous", "Mean of the viscous friction [N m s/rad].",
            [](PythonArmPrior& self) -> AnyVector& { return self.values->viscous; });
+  add_number(arm, "friction_std", "ArmPrior.friction_std",
+             "Standard deviation of both, relative to their means; 0.5 unless it was measured.",
+             [](PythonArmPrior& self) -> double& { return self.values->friction_std; });
 
   py::class_<PythonPayloadPrior> payload(
       module, "PayloadPrior",

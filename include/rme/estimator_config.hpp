@@ -64,6 +64,8 @@ void EstimatorConfig<Scalar, Dofs>::validate(double dt) const {
     positive(arm->residual, "ArmPrior::residual", "> 0");
     positive(arm->coulomb, "ArmPrior::coulomb", "> 0 N m");
     positive(arm->viscous, "ArmPrior::viscous", "> 0 N m s/rad");
+    detail::require(arm->friction_std > 0 && arm->friction_std <= Scalar(10), "ArmPrior::friction_std",
+                    "above 0 and at most 10", arm->friction_std);
   }
   if (payload) {
     detail::require(payload->mass_mean >= 0 && payload->mass_mean <= rated_payload, "PayloadPrior::mass_mean",

@@ -14,11 +14,11 @@
 namespace rme {
 
 /// The settings that a JSON object describes. A missing field has its value in `defaults`; "arm" and "payload" need all of
-/// their fields.
+/// their fields, but for "friction_std", which is 0.5 if it is missing.
 ///
 ///     {"rated_payload": 12.5, "observer_bandwidth": 0, "torque_sign": "reaction", "sensing": "joint_friction",
 ///      "contact_false_alarms": 0.1, "gravity": [0, 0, -9.81],
-///      "arm": {"noise": [..], "offset": [..], "residual": [..], "coulomb": [..], "viscous": [..]},
+///      "arm": {"noise": [..], "offset": [..], "residual": [..], "coulomb": [..], "viscous": [..], "friction_std": 0.3},
 ///      "payload": {"mass_mean": 1, "mass_std": 1, "com_mean": [0, 0, 0.1], "com_std": [0.06, 0.06, 0.07]}}
 ///
 /// "torque_sign" is "external" or "reaction"; "sensing" is "unknown", "link_side", "joint_friction" or "rough_model".
@@ -131,10 +131,12 @@ EstimatorConfig<Scalar, Dofs> estimator_config_from_json(const nlohmann::json& o
   if (const auto* v = reader.find("sensing"))
     config.sensing = detail::read_name(*v, "sensing", detail::kSensingValues, detail::kSensingNames);
   if (const auto* v = reader.find("arm")) {
-    const detail::SettingsReader arm(*v, "arm", {"noise", "offset", "residual", "coulomb", "viscous"});
+    const detail::SettingsReader arm(*v, "arm", {"noise", "offset", "residual", "coulomb", "viscous", "friction_std"});
     const auto vector = [&](const char* key) { return detail::read_vector<Vector>(arm.at(key), arm.name_of(key)); };
     config.arm = ArmPrior<Scalar, Dofs>{vector("noise"), vector("offset"), vector("residual"), vector("coulomb"),
                                         vector("viscous")};
+    if (const auto* s = arm.find("friction_std"))
+      config.arm->friction_std = detail::read_number<Scalar>(*s, arm.name_of("friction_std"));
   }
   if (const auto* v = reader.find("payload")) {
     const detail::SettingsReader payload(*v, "payload", {"mass_mean", "mass_std", "com_mean", "com_std"});
@@ -164,7 +166,8 @@ nlohmann::json estimator_config_to_json(const EstimatorConfig<Scalar, Dofs>& con
                   {"offset", detail::write_vector(config.arm->offset)},
                   {"residual", detail::write_vector(config.arm->residual)},
                   {"coulomb", detail::write_vector(config.arm->coulomb)},
-                  {"viscous", detail::write_vector(config.arm->viscous)}};
+                  {"viscous", detail::write_vector(config.arm->viscous)},
+                  {"friction_std", config.arm->friction_std}};
   }
   if (config.payload) {
     out["payload"] = {{"mass_mean", config.payload->mass_mean},

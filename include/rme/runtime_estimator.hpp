@@ -35,7 +35,8 @@ EstimatorConfig<Scalar, Dofs> fixed_config(const EstimatorConfig<Scalar, Eigen::
                                    per_joint<Dofs>(config.arm->offset, "ArmPrior::offset"),
                                    per_joint<Dofs>(config.arm->residual, "ArmPrior::residual"),
                                    per_joint<Dofs>(config.arm->coulomb, "ArmPrior::coulomb"),
-                                   per_joint<Dofs>(config.arm->viscous, "ArmPrior::viscous")};
+                                   per_joint<Dofs>(config.arm->viscous, "ArmPrior::viscous"),
+                                   config.arm->friction_std};
   return out;
 }
 

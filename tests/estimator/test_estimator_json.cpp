@@ -24,6 +24,7 @@ TEST_CASE("EstimatorConfig: what is written comes back the same", "[json]") {
   config.arm = rme::ArmPrior<double, 7>::of(10);
   config.arm->noise << 1, 2, 3, 4, 5, 6, 7;
   config.arm->viscous[3] = 0.7;
+  config.arm->friction_std = 0.2;
   config.payload = rme::PayloadPrior<double>::of(10);
   config.payload->mass_std = 4;
   config.payload->com_mean = {0.01, 0.02, 0.3};
@@ -41,6 +42,7 @@ TEST_CASE("EstimatorConfig: what is written comes back the same", "[json]") {
   CHECK(back.arm->residual == config.arm->residual);
   CHECK(back.arm->coulomb == config.arm->coulomb);
   CHECK(back.arm->viscous == config.arm->viscous);
+  CHECK(back.arm->friction_std == 0.2);
   REQUIRE(back.payload);
   CHECK(back.payload->mass_mean == config.payload->mass_mean);
   CHECK(back.payload->mass_std == config.payload->mass_std);
@@ -136,7 +138,7 @@ TEST_CASE("EstimatorConfig: a wrong field is refused by its path, with what was 
                     contains("gravity[2]"));
 }
 
-TEST_CASE("EstimatorConfig: of arm and payload every field is needed, in full size", "[json]") {
+TEST_CASE("EstimatorConfig: of arm and payload every field but friction_std is needed, in full size", "[json]") {
   Config config;
   config.arm = rme::ArmPrior<double, 7>::of(3);
   config.payload = rme::PayloadPrior<double>::of(3);
@@ -146,6 +148,13 @@ TEST_CASE("EstimatorConfig: of arm and payload every field is needed, in full si
       CAPTURE(part, key);
       json without = whole;
       without[part].erase(key);
+      if (key == "friction_std") {
+        CHECK(rme::estimator_config_from_json<double, 7>(without).arm->friction_std == 0.5);
+        without[part][key] = "half";
+        CHECK_THROWS_WITH((rme::estimator_config_from_json<double, 7>(without)),
+                          contains("arm.friction_std: expected a number"));
+        continue;
+      }
       CHECK_THROWS_WITH((rme::estimator_config_from_json<double, 7>(without)),
                         contains(part + "." + key + ": missing"));
       if (!value.is_array()) continue;

@@ -53,8 +53,9 @@ void check_equal() {
   fixed.rated_payload = config.rated_payload = 5;
   fixed.contact_false_alarms = config.contact_false_alarms = 3;
   fixed.arm = ArmPrior<double, Dofs>::of(4);
-  config.arm = ArmPrior<double, Eigen::Dynamic>{fixed.arm->noise, fixed.arm->offset, fixed.arm->residual,
-                                                fixed.arm->coulomb, fixed.arm->viscous};
+  fixed.arm->friction_std = 0.3;
+  config.arm = ArmPrior<double, Eigen::Dynamic>{fixed.arm->noise,   fixed.arm->offset,  fixed.arm->residual,
+                                                fixed.arm->coulomb, fixed.arm->viscous, 0.3};
   Estimator<double, Dofs> expected(0.001, fixed);
   Runtime estimator(Dofs, 0.001, config);
   REQUIRE(estimator.joints() == Dofs);

@@ -100,6 +100,7 @@ TEST_CASE("check_arm: noise, offset and friction of a moving arm are found and w
       const json& arm = settings["arm"];
       CHECK(arm["coulomb"][j].get<double>() == Approx(0.4).epsilon(0.1));
       CHECK(arm["viscous"][j].get<double>() == Approx(0.2).epsilon(0.2));
+      CHECK(arm["friction_std"] == 0.3);
       // With one log, half of the variance is the usual arm's, 0.15 or 0.06 N m.
       const double usual = j < 4 ? 0.15 : 0.06;
       CHECK(arm["offset"][j].get<double>() == Approx(std::sqrt((0.01 + usual * usual) / 2)).epsilon(0.1));

@@ -43,6 +43,7 @@ std::vector<Leaf> leaves_of(rme::EstimatorConfig<double, 7>& c) {
           {"ArmPrior::residual", [&](double x) { arm.residual[1] = x; }},
           {"ArmPrior::coulomb", [&](double x) { arm.coulomb[0] = x; }},
           {"ArmPrior::viscous", [&](double x) { arm.viscous[1] = x; }},
+          {"ArmPrior::friction_std", [&](double x) { arm.friction_std = x; }},
           {"PayloadPrior::mass_mean", [&](double x) { payload.mass_mean = x; }},
           {"PayloadPrior::mass_std", [&](double x) { payload.mass_std = x; }},
           {"PayloadPrior::com_mean", [&](double x) { payload.com_mean[1] = x; }},

@@ -184,8 +184,8 @@ class EnumeratedStories {
     child.quick = t.quick;
     model.predict(child.star);
     if (t.zeroed) model.zero(child.star);
-    if (!t.swings) child.star.end_swing();
-    if (parent.mode == Mode::Pouring && t.mode != Mode::Pouring) child.star.end_pour();
+    if (!t.swings) child.swing.end(child.star);
+    if (parent.mode == Mode::Pouring && t.mode != Mode::Pouring) child.pour.end(child.star);
     child.log_weight += std::log(t.probability) + (t.turned  ? turn(model, parent, child)
                                                    : t.never ? nothing(model, child)
                                                              : likelihood(model, parent, child, t));

@@ -14,8 +14,8 @@ using Joints = rme::JointVector<double, kDofs>;
 using rme::Sensing;
 
 /// What such an arm may show: another one in each joint.
-const rme::ArmPrior<double, kDofs> kArm = {Joints(0.1, 0.2), Joints(0.3, 0.4), Joints(1, 2), Joints(0.5, 0.6),
-                                           Joints(0.2, 0.1)};
+const rme::ArmPrior<double, kDofs> kArm = {Joints(0.1, 0.2), Joints(0.3, 0.4), Joints(1, 2),
+                                           Joints(0.5, 0.6), Joints(0.2, 0.1), 0.4};
 
 /// Nothing moves, nothing is held, no torque shows.
 Block at_rest() {
@@ -546,7 +546,7 @@ TEST_CASE("JointTorqueModel: an error of a joint's gain is a share of what the p
   CHECK(bears.torque.norm() > 0.1);
 }
 
-TEST_CASE("JointTorqueModel: the prior is the arm's, friction give or take half of it", "[joint_torque]") {
+TEST_CASE("JointTorqueModel: the prior is the arm's, friction as well known as that says", "[joint_torque]") {
   for (const Sensing sensing : {Sensing::LinkSide, Sensing::JointFriction, Sensing::RoughModel}) {
     const rme::SensingKind& kind = rme::kind_of(sensing);
     const Model model = make_model(sensing);
@@ -562,8 +562,8 @@ TEST_CASE("JointTorqueModel: the prior is the arm's, friction give or take half 
       variance[rme::kOffset] = std::pow(kArm.offset[j], 2);
       mean[rme::kCoulomb] = kind.friction * kArm.coulomb[j];
       mean[rme::kViscous] = kind.friction * kArm.viscous[j];
-      variance[rme::kCoulomb] = std::pow(mean[rme::kCoulomb] / 2, 2);
-      variance[rme::kViscous] = std::pow(mean[rme::kViscous] / 2, 2);
+      variance[rme::kCoulomb] = std::pow(kArm.friction_std * mean[rme::kCoulomb], 2);
+      variance[rme::kViscous] = std::pow(kArm.friction_std * mean[rme::kViscous], 2);
       variance[rme::kStiction] =
           std::pow(0.6 * mean[rme::kCoulomb], 2) + kind.stiction * model.noise().residual_variance(j);
       CHECK(star.joint(j).mean == mean);

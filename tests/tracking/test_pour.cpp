@@ -5,6 +5,7 @@
 
 #include "support/catch.hpp"
 #include "support/linear_algebra.hpp"
+#include "tracking/random_star.hpp"
 
 namespace {
 
@@ -108,6 +109,32 @@ TEST_CASE("Pour: payload and rate are what one dense filter over both makes of r
       CHECK((star.covariance() - P.topLeftCorner(kShared, kShared)).norm() < 1e-9 * P.norm());
       if (std::abs(star.mass()) < 0.022 && std::abs(star.mass()) > 0.02) break;  // where the rule changes
     }
+  }
+}
+
+TEST_CASE("Pour: what has been poured becomes part of the payload when it ends, with the moments of every pair",
+          "[pour]") {
+  using namespace rme::testing;
+  using Any = rme::StarGaussian<double, kJoints>;
+  const unsigned seed = 516;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  Matrix settled = Matrix::Identity(kAll, kAll);
+  for (int i = 0; i < 4; ++i) {
+    settled(kPayload + i, kPoured + i) = 1;
+    settled(kPoured + i, kPoured + i) = 0;
+  }
+  for (int k = 0; k < 20; ++k) {
+    CAPTURE(k);
+    Any star = random_star(random);
+    const Dense before = dense(star);
+    CHECK(star.mass() == star.mean()[kPayload] + star.mean()[kPoured]);
+    rme::Pour<double, kJoints>::end(star);
+    CHECK(star.last() == Any::Last::Nothing);
+    CHECK(difference(dense(star), mapped(settled, before)) < 1e-9);
+    const Dense ended = dense(star);
+    rme::Pour<double, kJoints>::end(star);
+    CHECK(difference(dense(star), ended) == 0);
   }
 }
 

@@ -32,7 +32,7 @@ void for_all_stories(const See& see) {
               if (payload != 0 && lag > 0) story.log_none = -1;
               if (mode == Mode::Held && quick) {
                 story.star.draw_payload(rme::InertialVector<double>::Ones(), rme::InertialMatrix<double>::Identity());
-                story.star.begin_swing(rme::Vector3<double>::Ones(), rme::Vector4<double>::Zero());
+                story.star.extend(rme::StarGaussian<double, 2>::Last::Force);
               }
               Eigen::Matrix<double, rme::kArmShared, 1> variance = Eigen::Matrix<double, rme::kArmShared, 1>::Zero();
               variance[rme::kLag] = lag * lag;

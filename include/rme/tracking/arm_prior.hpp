@@ -18,8 +18,11 @@ struct ArmPrior {
   Vector noise;     ///< standard deviation of a block's mean torque, before it is learned [N m]
   Vector offset;    ///< standard deviation of the torque sensor's offset [N m]
   Vector residual;  ///< scale of the joint: size of its noise and residual relative to a Panda's (no unit)
-  Vector coulomb;   ///< mean of the Coulomb friction; its standard deviation is half of this [N m]
-  Vector viscous;   ///< mean of the viscous friction; its standard deviation is half of this [N m s/rad]
+  Vector coulomb;   ///< mean of the Coulomb friction [N m]
+  Vector viscous;   ///< mean of the viscous friction [N m s/rad]
+  /// Standard deviation of both, relative to their means. Of an arm that was never measured, half; friction that is known
+  /// better hides less of a payload that is held from the start.
+  Scalar friction_std = Scalar(0.5);
 
   /// The defaults.
   /// @param rated_payload  [kg], > 0

@@ -151,6 +151,7 @@ class Histories {
   /// The host says that the hand is empty: that becomes a story of the given probability.
   void believe_empty(Scalar probability) noexcept {
     Tale story = told(0);
+    story.settle();
     story.star.forget_payload();
     add(story, Mode::Empty, 0, probability);
   }
@@ -158,6 +159,7 @@ class Histories {
   void believe_held(const InertialVector<Scalar>& mean, const InertialMatrix<Scalar>& factor,
                     Scalar probability) noexcept {
     Tale story = told(0);
+    story.settle();
     story.star.draw_payload(mean, factor);
     story.held_for = std::numeric_limits<Scalar>::max();  // no swing has been taken for weight
     const int payload = story.take_next();
@@ -167,6 +169,7 @@ class Histories {
   /// @param variance  added to that of what belongs to the arm, in the order of Shared
   void tare(const Eigen::Matrix<Scalar, kArmShared, 1>& variance) noexcept {
     Tale story = told(0);
+    story.settle();
     story.star.payload_is_tool();
     story.star.widen_arm(variance);
     count_ = 0;  // a story in which it is still held, known well, would win against a tool that is known less well
@@ -197,7 +200,7 @@ class Histories {
   static constexpr double kSurprise = 2;        // innovation squared per joint from which a block is explained badly
   static constexpr double kHeldAtStart = 0.03;  // probability that something is held at the start
 
-  static constexpr double kOffAtStart = 0.01;     // probability that the arm's torques are off by more than stated
+  static constexpr double kOffAtStart = 0.001;    // probability that the arm's torques are off by more than stated
   static constexpr double kOff = 30;              // how much more, times the stated offset
   static constexpr double kTiltedAtStart = 0.05;  // probability that the base is tilted
   static constexpr double kTilted = 0.04;         // by how much, about either axis [rad]

@@ -71,8 +71,9 @@ class JointTorqueModel {
       joint.covariance(kOffset, kOffset) = arm_.offset[j] * arm_.offset[j];
       joint.mean[kCoulomb] = arm_.coulomb[j];
       joint.mean[kViscous] = arm_.viscous[j];
-      joint.covariance(kCoulomb, kCoulomb) = Scalar(0.25) * arm_.coulomb[j] * arm_.coulomb[j];
-      joint.covariance(kViscous, kViscous) = Scalar(0.25) * arm_.viscous[j] * arm_.viscous[j];
+      const Scalar spread = arm_.friction_std * arm_.friction_std;
+      joint.covariance(kCoulomb, kCoulomb) = spread * arm_.coulomb[j] * arm_.coulomb[j];
+      joint.covariance(kViscous, kViscous) = spread * arm_.viscous[j] * arm_.viscous[j];
       joint.covariance(kStiction, kStiction) = stiction_variance(star, j);
     }
     return star;

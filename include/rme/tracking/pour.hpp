@@ -25,7 +25,7 @@ class Pour {
   /// @param quick          it is taken up within seconds: handed over, or lifted off a table
   void begin(Star& star, const PayloadPrior<Scalar>& prior, Scalar rated_payload, bool quick) noexcept {
     quick_ = quick;
-    star.begin_pour();
+    star.extend(Star::Last::Poured);
     rate_ = {};
     rate_.covariance = stationary(star, prior, rated_payload);
   }
@@ -42,8 +42,7 @@ class Pour {
     rate_.cross *= keep;
     rate_.covariance *= keep * keep;
     detail::add_scaled(rate_.covariance, Scalar(1) - keep * keep, noise);
-    star.drift(duration, rate_.mean, rate_.cross, rate_.covariance,
-               detail::scaled(duration * Scalar(quick_ ? kQuickFlowTime : kFlowTime), noise));
+    rate_.drift(star, duration, detail::scaled(duration * Scalar(quick_ ? kQuickFlowTime : kFlowTime), noise));
   }
   /// Updates the rate with an observation; to be called before star.observe(j, p).
   void observe(const Star& star, const typename Star::Prediction& p) noexcept { rate_.observe(star, p); }
@@ -64,6 +63,33 @@ class Pour {
     return out;
   }
   Scalar rate() const noexcept { return rate_.mean[0]; }  ///< of the mass [kg/s]
+  /// What has been poured so far becomes part of the payload's phi. Each beta_j keeps its moments with it.
+  static void end(Star& star) noexcept {
+    if (star.last() != Star::Last::Poured) return;
+    const InertialVector<Scalar> phi = star.payload_mean();
+    SharedVector<Scalar> mean = star.mean();
+    for (int i = 0; i < kInertial; ++i) mean[kPayload + i] = phi[i];
+    for (int i = 0; i < 4; ++i) mean[kPoured + i] = Scalar(0);
+    SharedMatrix<Scalar> sum = star.factor();
+    for (int k = 0; k < kShared; ++k) {
+      for (int i = 0; i < 4; ++i) {
+        sum(kPayload + i, k) += sum(kPoured + i, k);
+        sum(kPoured + i, k) = Scalar(0);
+      }
+    }
+    using Slope = typename Star::Slope;
+    const auto added = [](const Slope& cross, const Slope&) {
+      Slope out = cross;
+      for (int n = 0; n < kJointNuisances; ++n) {
+        for (int i = 0; i < 4; ++i) {
+          out(kPayload + i, n) += cross(kPoured + i, n);
+          out(kPoured + i, n) = Scalar(0);
+        }
+      }
+      return out;
+    };
+    if (star.restate(mean, detail::outer_square(sum), added)) star.retract();
+  }
 
  private:
   static constexpr double kRate = 0.03;  // standard deviation of the rate of mass per rated payload [1/s]

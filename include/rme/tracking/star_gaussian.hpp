@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <rme/core/singular_cholesky.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
@@ -18,13 +19,13 @@ namespace rme {
 ///     x ~ N(mean, F F^T),   beta_j | x ~ N(b_j + B_j x, V_j)
 ///
 /// A joint's torque depends only on x and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
-/// cost of a dense covariance. forget_payload(), widen_arm(), drift(), end_pour(), end_swing() and their like would couple the
-/// joints. Each of them gives the nearest star instead, which has the right mean and covariance of every pair (x, beta_j)
-/// (docs/theory.md, "The star").
+/// cost of a dense covariance. forget_payload(), widen_arm() and their like would couple the joints. Each of them gives the
+/// nearest star instead, which has the right mean and covariance of every pair (x, beta_j) (docs/theory.md, "The star"). So
+/// does restate(), from which pours and swings (Pour, Swing) make what changes their own part of x.
 ///
 /// F is a square root of the covariance of x, and is updated as such (Potter's form: Maybeck, Stochastic Models,
 /// Estimation, and Control 1, 7.3). So rounding cannot make the covariance indefinite, even in float. An empty hand has
-/// no phi: its rows are zero and cost nothing. Initially the hand is empty and everything is zero. Real time: no call
+/// no phi: its rows are zero and cost nothing; nor do the last entries unless something pours or swings. Initially the hand is empty and everything is zero. Real time: no call
 /// allocates.
 template <typename Scalar, int Dofs>
 class StarGaussian {
@@ -35,6 +36,12 @@ class StarGaussian {
   using BetaMatrix = JointNuisanceMatrix<Scalar>;                 ///< 6x6
   using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 21x6
   using Cross = Eigen::Matrix<Scalar, kShared, 4>;                ///< covariance of x and four other unknowns
+  /// What the last entries of x are.
+  enum class Last : std::uint8_t {
+    Nothing,  ///< they are zero
+    Poured,   ///< what has been poured into the payload: kPoured
+    Force,    ///< the force of a payload that swings: kSwing
+  };
   /// Gaussian of beta_j given x.
   struct Joint {
     Beta mean = Beta::Zero();                    ///< b_j
@@ -45,11 +52,9 @@ class StarGaussian {
   bool empty() const noexcept { return size_ == kArmShared; }  ///< whether the hand is empty for certain
   const X& mean() const noexcept { return mean_; }             ///< of x
   XMatrix covariance() const noexcept { return detail::outer_square(factor_); }  ///< of x, F F^T
-  bool swings() const noexcept { return swings_; }                               ///< whether the payload swings
-  /// Mean of the tool error, (m, m r) [kg, kg m].
-  Vector4<Scalar> tool_mean() const noexcept {
-    return swings_ ? tool_mean_ : Vector4<Scalar>(mean_.template segment<4>(kTool));
-  }
+  const XMatrix& factor() const noexcept { return factor_; }                     ///< F
+  Last last() const noexcept { return last_; }                                   ///< what the last entries of x are
+  bool swings() const noexcept { return last_ == Last::Force; }                  ///< whether the payload swings
   /// Mean of the payload's mass, with what was poured [kg].
   Scalar mass() const noexcept { return mean_[kPayload] + poured_mass(); }
   /// Mean of the payload's phi, with what was poured.
@@ -186,10 +191,54 @@ class StarGaussian {
   /// cov(x, y) = F F^T u of an observation.
   X covariance_row(const Prediction& p) const noexcept { return detail::product(factor_, p.spread); }
 
-  /// Marginalises the payload: the hand is empty afterwards, and everything else keeps its marginal distribution.
+  /// The last entries of x, zero so far, become unknowns. If nothing else is known of them, they stay zero.
+  void extend(Last last) noexcept {
+    size_ = kShared;
+    last_ = last;
+  }
+  /// The last entries of x, zero already, are zero for certain. Something is held.
+  void retract() noexcept {
+    size_ = kHeldShared;
+    last_ = Last::Nothing;
+  }
+  /// Multiplies the last entries of x by `factor`, which is not 0.
+  void scale_last(Scalar factor) noexcept {
+    for (int i = kHeldShared; i < kShared; ++i) {
+      mean_[i] *= factor;
+      for (int k = 0; k < kShared; ++k) factor_(i, k) *= factor;
+      for (Joint& joint : joints_)
+        for (int n = 0; n < kJointNuisances; ++n) joint.slope(i, n) /= factor;
+    }
+  }
+  /// Gives x another distribution, N(mean, factor factor^T). Each beta_j given x stays as it is.
+  void set_shared(const X& mean, const XMatrix& factor) noexcept {
+    mean_ = mean;
+    factor_ = factor;
+  }
+  /// Gives x the mean `mean` and the covariance `total`, and each beta_j its moments with the new x.
+  /// @param moments  from cov(x, beta_j) before and B_j^T, cov(x, beta_j) after
+  /// @return false if `total` is not finite; then nothing has changed
+  template <typename Moments>
+  bool restate(const X& mean, const XMatrix& total, const Moments& moments) noexcept {
+    const Factor factor(total);
+    if (!factor.finite()) return false;
+    const XMatrix before = covariance(), inverse = factor.inverse_lower();
+    for (int j = 0; j < Dofs; ++j) {
+      Joint& joint = this->joint(j);
+      const Slope cross = detail::product(before, joint.slope);
+      BetaMatrix V = joint.covariance;
+      V += detail::transposed_product(joint.slope, cross);
+      joint = given_shared<kShared>(inverse, mean, nuisance_mean(j), moments(cross, joint.slope), V);
+    }
+    factor_ = factor.lower();
+    mean_ = mean;
+    return true;
+  }
+
+  /// Marginalises the payload, with what was poured: the hand is empty afterwards, and everything else keeps its marginal
+  /// distribution. A swing has to be over (Swing::end()).
   void forget_payload() noexcept {
     if (empty()) return;
-    end_swing();
     Eigen::Matrix<Scalar, kArmShared, kShared> rows;  // of F: what belongs to the arm
     for (int k = 0; k < kShared; ++k)
       for (int i = 0; i < kArmShared; ++i) rows(i, k) = factor_(i, k);
@@ -210,6 +259,7 @@ class StarGaussian {
       for (int i = k; i < kArmShared; ++i) factor_(i, k) = factor.lower()(i, k);
     for (int i = kArmShared; i < kShared; ++i) mean_[i] = Scalar(0);
     size_ = kArmShared;
+    last_ = Last::Nothing;
   }
   /// Puts a payload phi ~ N(mean, factor factor^T), independent of everything else, in place of the present one.
   void draw_payload(const InertialVector<Scalar>& mean, const InertialMatrix<Scalar>& factor) noexcept {
@@ -232,12 +282,11 @@ class StarGaussian {
         joint(j).slope(kPayload, n) = shift[static_cast<std::size_t>(j)][n] / along[0];
     size_ = kHeldShared;
   }
-  /// The payload turns out to be none: everything else is as it is given phi = 0. No pour goes on. The hand is empty
-  /// afterwards.
+  /// The payload turns out to be none: everything else is as it is given phi = 0. Nothing may pour or swing. The hand is
+  /// empty afterwards.
   /// @return log density of phi at 0 before [nats], without the constant factor of 2 pi (docs/theory.md (T51))
   Scalar payload_is_none() noexcept {
     if (empty()) return Scalar(0);
-    end_swing();
     Scalar log_density = Scalar(0);
     for (int i = kPayload; i < kPayload + kInertial; ++i) {
       Prediction p;
@@ -263,11 +312,9 @@ class StarGaussian {
     size_ = kArmShared;
     return log_density;
   }
-  /// Counts the payload as part of the tool. The hand is empty afterwards.
+  /// Counts the payload as part of the tool. Nothing may pour or swing. The hand is empty afterwards.
   void payload_is_tool() noexcept {
     if (empty()) return;
-    end_pour();
-    end_swing();
     for (int i = 0; i < 4; ++i) {
       mean_[kTool + i] += mean_[kPayload + i];
       for (int k = 0; k < kShared; ++k) factor_(kTool + i, k) += factor_(kPayload + i, k);
@@ -325,161 +372,11 @@ class StarGaussian {
     detail::add_outer(total, detail::scaled(square, along), along);
     restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
   }
-  /// From now on, the payload swings, with a force of zero mean. Nothing may be poured meanwhile. Until it ends, nothing is
-  /// learned of the tool: new force couples the joints, and what a star loses of that would let the tool drift against the
-  /// joints' offsets. In the tool's place there is what a hand that leads the arm carries of the payload, or adds
-  /// to it: like an error of the tool, of which the joints' offsets have taken over what showed so far.
-  /// @param variance  of the force [N^2], world axes
-  /// @param led       of what such a hand carries, (m, m r) [kg^2, (kg m)^2]
-  void begin_swing(const Vector3<Scalar>& variance, const Vector4<Scalar>& led) noexcept {
-    using std::sqrt;
-    for (int i = kTool; i < kTool + 4; ++i) {
-      tool_mean_[i - kTool] = mean_[i];
-      tool_variance_[i - kTool] = this->variance(i);
-      for (int k = 0; k < kShared; ++k) factor_(i, k) = Scalar(0);
-    }
-    if (led[0] > 0) {
-      XMatrix total = covariance();
-      for (int i = 0; i < 4; ++i) total(kTool + i, kTool + i) = led[i];
-      if (const Factor factor(total); factor.finite()) factor_ = factor.lower();
-    }
-    for (int i = 0; i < 3; ++i) factor_(kSwing + i, kSwing + i) = sqrt(variance[i]);
-    size_ = kShared;
-    swings_ = true;
-  }
-  /// Multiplies the force of the swing by `scale`, which is not 0.
-  void scale_swing(Scalar scale) noexcept {
-    for (int i = kSwing; i < kSwing + 3; ++i) {
-      mean_[i] *= scale;
-      for (int k = 0; k < kShared; ++k) factor_(i, k) *= scale;
-      for (Joint& joint : joints_)
-        for (int n = 0; n < kJointNuisances; ++n) joint.slope(i, n) /= scale;
-    }
-  }
-  /// The payload swings no more: marginalises the force, and what a hand carries. What is known of the tool is as before.
-  void end_swing() noexcept {
-    if (!swings_) return;
-    for (int i = kTool; i < kTool + 4; ++i) {  // the joints' nuisances are what they are without such a hand
-      mean_[i] = tool_mean_[i - kTool];
-      for (int k = 0; k < kShared; ++k) factor_(i, k) = Scalar(0);
-    }
-    X mean = mean_;
-    XMatrix kept = factor_;
-    for (int i = kSwing; i < kSwing + 3; ++i) {
-      mean[i] = Scalar(0);
-      for (int k = 0; k < kShared; ++k) kept(i, k) = Scalar(0);
-    }
-    XMatrix total = detail::outer_square(kept);
-    for (int i = 0; i < 4; ++i) total(kTool + i, kTool + i) += tool_variance_[i];
-    restate(mean, total, [](const Slope& cross, const Slope&) {
-      Slope left = cross;
-      for (int n = 0; n < kJointNuisances; ++n)
-        for (int i = kSwing; i < kSwing + 3; ++i) left(i, n) = Scalar(0);
-      return left;
-    });
-    size_ = kHeldShared;
-    swings_ = false;
-  }
-  /// From now on, something may be poured in: nothing so far.
-  void begin_pour() noexcept { size_ = kShared; }
-  /// What has been poured so far becomes part of the payload's phi. Each beta_j keeps its moments with it.
-  void end_pour() noexcept {
-    if (size_ != kShared || swings_) return;
-    const InertialVector<Scalar> phi = payload_mean();
-    X mean = mean_;
-    for (int i = 0; i < kInertial; ++i) mean[kPayload + i] = phi[i];
-    for (int i = 0; i < 4; ++i) mean[kPoured + i] = Scalar(0);
-    XMatrix sum = factor_;
-    for (int k = 0; k < kShared; ++k) {
-      for (int i = 0; i < 4; ++i) {
-        sum(kPayload + i, k) += factor_(kPoured + i, k);
-        sum(kPoured + i, k) = Scalar(0);
-      }
-    }
-    if (!restate(mean, detail::outer_square(sum), [](const Slope& cross, const Slope&) {
-          Slope added = cross;
-          for (int n = 0; n < kJointNuisances; ++n) {
-            for (int i = 0; i < 4; ++i) {
-              added(kPayload + i, n) += cross(kPoured + i, n);
-              added(kPoured + i, n) = Scalar(0);
-            }
-          }
-          return added;
-        }))
-      return;
-    size_ = kHeldShared;
-  }
-  /// What has been poured, or the force of the swing, moves by dt r, where r is correlated with x; then process noise Q is
-  /// added to it. Each beta_j keeps its moments with the old x, and depends on r only through x.
-  /// @param dt     [s]
-  /// @param rate   E[r] [kg/s, kg m/s], or [N/s]
-  /// @param cross  cov(x, r); on return that of the new x
-  /// @param V      cov(r)
-  /// @param Q      covariance of the noise, positive semidefinite; if it is not finite, nothing changes
-  void drift(Scalar dt, const Vector4<Scalar>& rate, Cross& cross, const Matrix4<Scalar>& V,
-             const Matrix4<Scalar>& Q) noexcept {
-    // r = E[r] + G^T (x - E[x]) + what x does not tell. So x' = A x + E n, with A = 1 + dt E G^T, and n, the noise, in the
-    // last four entries alone: beta_j changes by matrices of rank four.
-    XMatrix total = covariance();
-    const Factor before(total);
-    if (!before.finite()) return;
-    const Cross G = before.solve(cross);
-    Matrix4<Scalar> noise = V;
-    detail::add_scaled(noise, Scalar(-1), Matrix4<Scalar>(detail::transposed_product(cross, G)));
-    noise *= dt * dt;
-    noise += Q;
-    Cross after = cross;
-    for (int k = 0; k < 4; ++k)
-      for (int i = 0; i < 4; ++i) after(kPoured + i, k) += dt * V(i, k);
-    for (int i = 0; i < kShared; ++i) {
-      for (int k = 0; k < 4; ++k) {
-        total(i, kPoured + k) += dt * cross(i, k);
-        total(kPoured + k, i) += dt * after(i, k);
-      }
-    }
-    for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < 4; ++k) total(kPoured + i, kPoured + k) += Q(i, k);
-    const Factor factor(total);
-    if (!factor.finite()) return;
-    Cross place = Cross::Zero();
-    for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < 4; ++k) place(kPoured + i, k) = noise(i, k);
-    const Cross shown = factor.solve(place);  // E[n | x'] = shown^T (x' - E[x'])
-    Matrix4<Scalar> left = noise, turned = Matrix4<Scalar>::Identity();
-    for (int i = 0; i < 4; ++i) {
-      for (int k = 0; k < 4; ++k) {
-        for (int l = 0; l < 4; ++l) left(i, k) -= noise(i, l) * shown(kPoured + l, k);
-        turned(i, k) += dt * G(kPoured + i, k);
-      }
-    }
-    const Matrix4<Scalar> back = turned.inverse();
-    X moved = mean_;
-    for (int i = 0; i < 4; ++i) moved[kPoured + i] += dt * rate[i];
-    for (int j = 0; j < Dofs; ++j) {
-      Joint& joint = this->joint(j);
-      const Beta mean = nuisance_mean(j);
-      Eigen::Matrix<Scalar, 4, kJointNuisances> part;
-      for (int i = 0; i < 4; ++i)
-        for (int n = 0; n < kJointNuisances; ++n) part(i, n) = joint.slope(kPoured + i, n);
-      part = detail::product(back, part);
-      detail::add_scaled(joint.slope, -dt, Slope(detail::product(G, part)));
-      for (int i = 0; i < 4; ++i)
-        for (int n = 0; n < kJointNuisances; ++n) part(i, n) = joint.slope(kPoured + i, n);
-      detail::add_scaled(joint.slope, Scalar(-1), Slope(detail::product(shown, part)));
-      const Eigen::Matrix<Scalar, 4, kJointNuisances> spread = detail::product(left, part);
-      joint.covariance += detail::transposed_product(part, spread);
-      joint.mean = mean;
-      detail::add_scaled(joint.mean, Scalar(-1), Beta(detail::transposed_product(joint.slope, moved)));
-    }
-    factor_ = factor.lower();
-    mean_ = moved;
-    cross = after;
-  }
 
  private:
   using Factor = SingularCholesky<Scalar, kShared>;
   /// Whether something has been poured into entry i of phi.
-  bool poured(int i) const noexcept { return i < 4 && !swings_; }
+  bool poured(int i) const noexcept { return i < 4 && last_ == Last::Poured; }
   template <int Size>
   using Head = Eigen::Map<Eigen::Matrix<Scalar, Size, 1>>;
   template <int Size>
@@ -511,25 +408,6 @@ class StarGaussian {
     for (int k = 0; k < Size; ++k) Head<Size>(factor_.data() + k * kShared) -= (shrink * p.spread[k]) * covariance_row;
   }
 
-  /// Gives x the mean `mean` and the covariance `total`, and each beta_j its moments with the new x.
-  /// @param moments  from cov(x, beta_j) before and B_j^T, cov(x, beta_j) after
-  /// @return false if `total` is not finite; then nothing has changed
-  template <typename Moments>
-  bool restate(const X& mean, const XMatrix& total, const Moments& moments) noexcept {
-    const Factor factor(total);
-    if (!factor.finite()) return false;
-    const XMatrix before = covariance(), inverse = factor.inverse_lower();
-    for (int j = 0; j < Dofs; ++j) {
-      Joint& joint = this->joint(j);
-      const Slope cross = detail::product(before, joint.slope);
-      BetaMatrix V = joint.covariance;
-      V += detail::transposed_product(joint.slope, cross);
-      joint = given_shared<kShared>(inverse, mean, nuisance_mean(j), moments(cross, joint.slope), V);
-    }
-    factor_ = factor.lower();
-    mean_ = mean;
-    return true;
-  }
   /// Gaussian of a joint's nuisances given the first Size entries of x, from the moments of both.
   /// @param inverse         L^-1 of cov(x) = L L^T
   /// @param x               E[x]
@@ -556,9 +434,8 @@ class StarGaussian {
 
   X mean_ = X::Zero();
   XMatrix factor_ = XMatrix::Zero();  // F
-  bool swings_ = false;
-  Vector4<Scalar> tool_mean_ = Vector4<Scalar>::Zero(), tool_variance_ = Vector4<Scalar>::Zero();  // before it swung
-  int size_ = kArmShared;  // entries of x that are not zero for certain; the others have zero slopes
+  int size_ = kArmShared;             // entries of x that are not zero for certain; the others have zero slopes
+  Last last_ = Last::Nothing;
   std::array<Joint, static_cast<std::size_t>(Dofs)> joints_;
 };
 

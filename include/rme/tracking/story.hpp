@@ -38,6 +38,15 @@ struct Story {
            (mode != Mode::Pouring || quick == other.quick) && star.swings() == other.star.swings() &&
            tilted == other.tilted;
   }
+  /// Mean of the tool error, (m, m r) [kg, kg m].
+  Vector4<Scalar> tool_mean() const noexcept {
+    return star.swings() ? swing.tool_mean() : Vector4<Scalar>(star.mean().template segment<4>(kTool));
+  }
+  /// Nothing pours or swings any more; what was poured is part of the payload.
+  void settle() noexcept {
+    Pour<Scalar, Dofs>::end(star);
+    swing.end(star);
+  }
   /// The name of a payload that is held from now on.
   int take_next() noexcept { return next++; }
   /// Whether a payload, or none, explains the last block.

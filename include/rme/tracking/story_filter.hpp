@@ -62,9 +62,9 @@ class StoryFilter {
     const Scalar duration = model_.block().elapsed();
     model_.predict(child.star);
     if (transition.zeroed) model_.zero(child.star);
-    if (!transition.swings) child.star.end_swing();
+    if (!transition.swings) child.swing.end(child.star);
     if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) {
-      child.star.end_pour();
+      child.pour.end(child.star);
       child.undecided.end_pour();
     }
     if (child.mode == Mode::Empty) child.undecided.let_go();

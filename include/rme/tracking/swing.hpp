@@ -2,6 +2,7 @@
 /// A payload that swings: it hangs, or the grip is soft.
 #include <algorithm>
 #include <cmath>
+#include <rme/core/singular_cholesky.hpp>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/rate.hpp>
@@ -15,22 +16,40 @@ namespace rme {
 ///
 ///     df/dt = r,   dr/dt = -L^2 f - 2 L r + noise
 ///
-/// f is part of the star's x, r a Gaussian that is correlated with x. Their size is learned. Real time: nothing allocates.
+/// f is part of the star's x, r a Gaussian that is correlated with x. Their size is learned.
+///
+/// Until it ends, nothing is learned of the tool: new force couples the joints, and what a star loses of that would let the
+/// tool drift against the joints' offsets. In the tool's place in x there is what a hand that leads the arm carries of the
+/// payload, or adds to it: like an error of the tool, of which the joints' offsets have taken over what showed so far.
+/// Real time: nothing allocates.
 template <typename Scalar, int Dofs>
 class Swing {
  public:
   using Star = StarGaussian<Scalar, Dofs>;  ///< state of the filter
 
   /// A swing that nothing is known of.
-  /// @param star    state; from here on it has the force as an unknown of its own
+  /// @param star    state, in which nothing is poured; from here on it has the force as an unknown of its own
   /// @param weight  of the payload [N], > 0
   /// @param goes    whether it has begun before; otherwise the force is 0 at first
-  /// @param led     of star.begin_swing()
+  /// @param led     variance of what a hand that leads the arm carries, (m, m r) [kg^2, (kg m)^2]
   void begin(Star& star, Scalar weight, bool goes, const Vector4<Scalar>& led) noexcept {
     const Scalar force = Scalar(kForce) * weight;
     *this = Swing();
     variance_.setConstant(force * force);
-    star.begin_swing(goes ? variance_ : Vector3<Scalar>(Vector3<Scalar>::Zero()), led);
+    SharedMatrix<Scalar> factor = star.factor();
+    for (int i = 0; i < 4; ++i) {
+      tool_mean_[i] = star.mean()[kTool + i];
+      tool_variance_[i] = star.variance(kTool + i);
+      for (int k = 0; k < kShared; ++k) factor(kTool + i, k) = Scalar(0);
+    }
+    if (led[0] > 0) {
+      SharedMatrix<Scalar> total = detail::outer_square(factor);
+      for (int i = 0; i < 4; ++i) total(kTool + i, kTool + i) = led[i];
+      if (const SingularCholesky<Scalar, kShared> carried(total); carried.finite()) factor = carried.lower();
+    }
+    for (int i = 0; i < 3; ++i) factor(kSwing + i, kSwing + i) = goes ? force : Scalar(0);
+    star.set_shared(star.mean(), factor);
+    star.extend(Star::Last::Force);
     for (int i = 0; i < 3; ++i) rate_.covariance(i, i) = Scalar(kReturn * kReturn) * variance_[i];
   }
   /// Time update of the force and of its rate.
@@ -56,10 +75,10 @@ class Swing {
                        pulls * keeps * (rate_.cross(kSwing + i, k) + rate_.cross(kSwing + k, i));
     Vector4<Scalar> mean = detail::scaled(keeps, rate_.mean);
     for (int i = 0; i < 3; ++i) mean[i] += pulls * star.mean()[kSwing + i];
-    star.scale_swing(stays);
+    star.scale_last(stays);
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) rate_.cross(kSwing + i, k) *= stays;
-    star.drift(gains, rate_.mean, rate_.cross, rate_.covariance, noise);
+    rate_.drift(star, gains, noise);
     // r = again f + (keeps - again gains) r_before + noise, with f after the update.
     const SharedMatrix<Scalar> total = star.covariance();
     rate_.cross *= keeps - again * gains;
@@ -70,6 +89,34 @@ class Swing {
     rate_.mean = mean;
     rate_.covariance = after;
   }
+  /// The payload swings no more: marginalises the force, and what a hand carries. What is known of the tool is as it was
+  /// before the swing.
+  void end(Star& star) const noexcept {
+    if (!star.swings()) return;
+    SharedVector<Scalar> mean = star.mean();
+    SharedMatrix<Scalar> factor = star.factor();
+    for (int i = 0; i < 4; ++i) {  // the joints' nuisances are what they are without such a hand
+      mean[kTool + i] = tool_mean_[i];
+      for (int k = 0; k < kShared; ++k) factor(kTool + i, k) = Scalar(0);
+    }
+    star.set_shared(mean, factor);
+    for (int i = kSwing; i < kSwing + 3; ++i) {
+      mean[i] = Scalar(0);
+      for (int k = 0; k < kShared; ++k) factor(i, k) = Scalar(0);
+    }
+    SharedMatrix<Scalar> total = detail::outer_square(factor);
+    for (int i = 0; i < 4; ++i) total(kTool + i, kTool + i) += tool_variance_[i];
+    using Slope = typename Star::Slope;
+    star.restate(mean, total, [](const Slope& cross, const Slope&) {
+      Slope left = cross;
+      for (int n = 0; n < kJointNuisances; ++n)
+        for (int i = kSwing; i < kSwing + 3; ++i) left(i, n) = Scalar(0);
+      return left;
+    });
+    star.retract();
+  }
+  /// Mean of the tool error, (m, m r), as it was before the swing [kg, kg m].
+  const Vector4<Scalar>& tool_mean() const noexcept { return tool_mean_; }
   /// Updates the rate with an observation; to be called before star.observe(j, p).
   void observe(const Star& star, const typename Star::Prediction& p) noexcept { rate_.observe(star, p); }
   /// Learns the size of the swing and its frequency. The size is that of the rate: a force that stays belongs to the payload.
@@ -130,19 +177,20 @@ class Swing {
   static constexpr double kForce = 0.1;   // standard deviation of the force in each direction at first, per weight
   static constexpr double kReturn = 20;   // L, how quickly the force returns to zero [1/s]
   static constexpr double kMemory = 0.3;  // time constant with which the size is learned [s]
-  static constexpr double kLeast = 0.01, kMost = 0.1;   // bounds of the size, per weight
-  static constexpr double kHidden = 0.03;               // relative error of a payload that swings unnoticed
-  static constexpr double kUnnoticed = 0.3;             // for how long a swing stays unnoticed [s]
-  static constexpr double kPickUp = 1;                  // how long a swing may belong to the pick-up [s]
-  static constexpr double kLed = 0.3, kLedArm = 0.1;    // what a hand carries: share of the payload; at [m]
-  static constexpr double kMiddle = 1;                  // memory of the middle of the swing [s]
-  static constexpr double kEdge = 0.3;                  // distance from it where a side begins, in standard deviations
-  static constexpr double kNewest = 0.3;                // share of the newest half period in the frequency
+  static constexpr double kLeast = 0.01, kMost = 0.1;  // bounds of the size, per weight
+  static constexpr double kHidden = 0.03;              // relative error of a payload that swings unnoticed
+  static constexpr double kUnnoticed = 0.3;            // for how long a swing stays unnoticed [s]
+  static constexpr double kPickUp = 1;                 // how long a swing may belong to the pick-up [s]
+  static constexpr double kLed = 0.3, kLedArm = 0.1;   // what a hand carries: share of the payload; at [m]
+  static constexpr double kMiddle = 1;                 // memory of the middle of the swing [s]
+  static constexpr double kEdge = 0.3;                 // distance from it where a side begins, in standard deviations
+  static constexpr double kNewest = 0.3;               // share of the newest half period in the frequency
   Vector3<Scalar> variance_ = Vector3<Scalar>::Zero();  // size: of the force in each direction [N^2], world axes
-  Rate<Scalar, Dofs> rate_;                             // r [N/s]; its fourth entry is 0
-  Vector3<Scalar> middle_ = Vector3<Scalar>::Zero();    // mean of the force's estimate in the last second [N]
-  Vector3<Scalar> moves_ = Vector3<Scalar>::Zero();     // its variance [N^2]
-  Scalar since_ = Scalar(0), half_ = Scalar(0);         // time since the last turn, and half the period; 0: unknown [s]
+  Vector4<Scalar> tool_mean_ = Vector4<Scalar>::Zero(), tool_variance_ = Vector4<Scalar>::Zero();  // before it swung
+  Rate<Scalar, Dofs> rate_;                           // r [N/s]; its fourth entry is 0
+  Vector3<Scalar> middle_ = Vector3<Scalar>::Zero();  // mean of the force's estimate in the last second [N]
+  Vector3<Scalar> moves_ = Vector3<Scalar>::Zero();   // its variance [N^2]
+  Scalar since_ = Scalar(0), half_ = Scalar(0);       // time since the last turn, and half the period; 0: unknown [s]
   int side_ = 0, turns_ = 0;  // on which side it is: 1 + axis, or minus that; whether the last side was the other one
 };
 

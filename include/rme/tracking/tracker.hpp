@@ -239,7 +239,7 @@ class Tracker {
       const Story<Scalar, Dofs>& story = kind.story(i);
       out.probability[story.mode] += w;
       all += w;
-      detail::add_scaled(out.tool, w, story.star.tool_mean());
+      detail::add_scaled(out.tool, w, story.tool_mean());
       if (!kind.holds(i)) return;
       held += w;
       if (story.star.swings()) {
