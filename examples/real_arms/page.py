@@ -3,7 +3,8 @@
 
     python3 page.py DIR PAGE
 
-DIR has scores.csv (written by score_run), simulated.csv and body.md. The first paragraph is written from these numbers.
+DIR has scores.csv (written by score_run), simulated.csv, untrusted.txt (the runs with settings of which check_arm says not to
+trust them) and body.md. The first paragraph is written from these.
 """
 import csv
 import math
@@ -25,7 +26,8 @@ empty hand; the block of text is what it promises, from that recording alone ([y
 methods on other recordings. All have the same settings, and the tare of the same empty run: offset, Coulomb and viscous
 friction of each joint. The column "by" names them:
 
-- **rme**: `rme::Estimator`. The loaded run follows an empty one, as an arm's day does.
+- **rme**: `rme::Estimator`. The loaded run follows an empty one, as an arm's day does, or it begins with the load in the hand
+  ("from the start").
 - **recursive least squares**: (m, m r), with a memory of 5 s, on the torque minus the tare.
 - **observer-matched**: recursive least squares for ten inertial parameters on a regressor that has passed the observer's filter,
   minus the virtual object that it finds in the empty run (Kurdas, Hamad, Vorndamme, Mansfeld, Abdolshah and Haddadin, "Online
@@ -66,11 +68,12 @@ def grams(kilograms):
     return f"{1000 * kilograms:.0f} g"
 
 
-def first_paragraph(scores, simulated):
+def first_paragraph(scores, simulated, untrusted):
     """What a reader may expect of another arm, and where other methods are better."""
     runs = errors_by_run(scores)
     parts = []
-    loaded = {run: by for run, by in runs.items() if by["truth"] > 0}
+    rivals = {run: min((by[m], m) for m in ONLINE if m in by) for run, by in runs.items()}
+    loaded = {run: by for run, by in runs.items() if by["truth"] > 0 and run not in untrusted}
     empty = {run: by for run, by in runs.items() if by["truth"] == 0}
     if simulated:
         later = {after: [number(r["mae"]) for r in simulated if r["after"] == after] for after in ("1", "5")}
@@ -83,14 +86,22 @@ def first_paragraph(scores, simulated):
         )
     if loaded:
         ours = [by["rme"] for by in loaded.values()]
-        rivals = {run: min((by[m], m) for m in ONLINE if m in by) for run, by in runs.items()}
         parts.append(
             f"On {len(loaded)} runs with a load, rme's mean error from 5 s on was {grams(min(ours))} to {grams(max(ours))}, "
             f"mean {grams(sum(ours) / len(ours))}; that of the best online rival of each run, chosen afterwards, "
             f"{grams(sum(rivals[run][0] for run in loaded) / len(loaded))}."
         )
-        beaten = {run: rivals[run] for run, by in runs.items() if round(1000 * rivals[run][0]) < round(1000 * by["rme"])}
-        parts.append(f"To the gram, rme was at least as good as each of them in {len(runs) - len(beaten)} of {len(runs)} runs.")
+        for run in untrusted:
+            parts.append(
+                f"Settings of which `check_arm` says not to trust them ({run}) give {grams(runs[run]['rme'])}, "
+                f"{rivals[run][1]} {grams(rivals[run][0])}."
+            )
+        trusted = {run: by for run, by in runs.items() if run not in untrusted}
+        beaten = {run: rivals[run] for run, by in trusted.items() if round(1000 * rivals[run][0]) < round(1000 * by["rme"])}
+        parts.append(
+            f"To the gram, rme was at least as good as each of them in {len(trusted) - len(beaten)} of the {len(trusted)} "
+            f"other runs, those of an empty hand included."
+        )
         if beaten:
             listed = "; ".join(
                 f"{run} ({method}: {grams(error)}, rme: {grams(runs[run]['rme'])})" for run, (error, method) in beaten.items()
@@ -119,7 +130,8 @@ def main():
     folder, page = map(pathlib.Path, sys.argv[1:])
     scores = rows_of(folder / "scores.csv") if (folder / "scores.csv").exists() else []
     simulated = rows_of(folder / "simulated.csv")
-    head = HEAD.format(first=wrapped(first_paragraph(scores, simulated)))
+    untrusted = (folder / "untrusted.txt").read_text(encoding="utf-8").splitlines()
+    head = HEAD.format(first=wrapped(first_paragraph(scores, simulated, untrusted)))
     body = (folder / "body.md").read_text(encoding="utf-8")
     if "| KDL's wrench |" not in body:
         body += "\nOrocos KDL was not found when this was built, so that the rows of its wrench estimator are missing.\n"

@@ -200,7 +200,7 @@ TEST_CASE("EstimatorConfig: ranges are checked by the Estimator, by name", "[jso
     for (const auto& [key, value] : whole["arm"].items()) {
       CAPTURE(key, bad);
       json wrong = whole;
-      wrong["arm"][key][3] = bad;
+      (value.is_array() ? wrong["arm"][key][3] : wrong["arm"][key]) = bad;
       CHECK_THAT(refusal(wrong), contains("ArmPrior::" + key));
     }
     json wrong = whole;

@@ -37,7 +37,6 @@ struct Rate {
     // r = E[r] + G^T (x - E[x]) + what x does not tell. So x' = A x + E n, with A = 1 + dt E G^T, and n, the noise, in the
     // last four entries alone: beta_j changes by matrices of rank four.
     using Factor = SingularCholesky<Scalar, kShared>;
-    constexpr int kLast = kShared - 4;
     SharedMatrix<Scalar> total = star.covariance();
     const Factor before(total);
     if (!before.finite()) return;
@@ -48,41 +47,41 @@ struct Rate {
     noise += Q;
     typename Star::Cross after = cross;
     for (int k = 0; k < 4; ++k)
-      for (int i = 0; i < 4; ++i) after(kLast + i, k) += dt * covariance(i, k);
+      for (int i = 0; i < 4; ++i) after(kHeldShared + i, k) += dt * covariance(i, k);
     for (int i = 0; i < kShared; ++i) {
       for (int k = 0; k < 4; ++k) {
-        total(i, kLast + k) += dt * cross(i, k);
-        total(kLast + k, i) += dt * after(i, k);
+        total(i, kHeldShared + k) += dt * cross(i, k);
+        total(kHeldShared + k, i) += dt * after(i, k);
       }
     }
     for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < 4; ++k) total(kLast + i, kLast + k) += Q(i, k);
+      for (int k = 0; k < 4; ++k) total(kHeldShared + i, kHeldShared + k) += Q(i, k);
     const Factor factor(total);
     if (!factor.finite()) return;
     typename Star::Cross place = Star::Cross::Zero();
     for (int i = 0; i < 4; ++i)
-      for (int k = 0; k < 4; ++k) place(kLast + i, k) = noise(i, k);
+      for (int k = 0; k < 4; ++k) place(kHeldShared + i, k) = noise(i, k);
     const typename Star::Cross shown = factor.solve(place);  // E[n | x'] = shown^T (x' - E[x'])
     Matrix4<Scalar> left = noise, turned = Matrix4<Scalar>::Identity();
     for (int i = 0; i < 4; ++i) {
       for (int k = 0; k < 4; ++k) {
-        for (int l = 0; l < 4; ++l) left(i, k) -= noise(i, l) * shown(kLast + l, k);
-        turned(i, k) += dt * G(kLast + i, k);
+        for (int l = 0; l < 4; ++l) left(i, k) -= noise(i, l) * shown(kHeldShared + l, k);
+        turned(i, k) += dt * G(kHeldShared + i, k);
       }
     }
     const Matrix4<Scalar> back = turned.inverse();
     SharedVector<Scalar> moved = star.mean();
-    for (int i = 0; i < 4; ++i) moved[kLast + i] += dt * mean[i];
+    for (int i = 0; i < 4; ++i) moved[kHeldShared + i] += dt * mean[i];
     for (int j = 0; j < Dofs; ++j) {
       auto& joint = star.joint(j);
       const Beta marginal = star.nuisance_mean(j);
       Eigen::Matrix<Scalar, 4, kJointNuisances> part;
       for (int i = 0; i < 4; ++i)
-        for (int n = 0; n < kJointNuisances; ++n) part(i, n) = joint.slope(kLast + i, n);
+        for (int n = 0; n < kJointNuisances; ++n) part(i, n) = joint.slope(kHeldShared + i, n);
       part = detail::product(back, part);
       detail::add_scaled(joint.slope, -dt, Slope(detail::product(G, part)));
       for (int i = 0; i < 4; ++i)
-        for (int n = 0; n < kJointNuisances; ++n) part(i, n) = joint.slope(kLast + i, n);
+        for (int n = 0; n < kJointNuisances; ++n) part(i, n) = joint.slope(kHeldShared + i, n);
       detail::add_scaled(joint.slope, Scalar(-1), Slope(detail::product(shown, part)));
       const Eigen::Matrix<Scalar, 4, kJointNuisances> spread = detail::product(left, part);
       joint.covariance += detail::transposed_product(part, spread);

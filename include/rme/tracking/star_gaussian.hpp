@@ -216,6 +216,8 @@ class StarGaussian {
     factor_ = factor;
   }
   /// Gives x the mean `mean` and the covariance `total`, and each beta_j its moments with the new x.
+  /// @param mean     of the new x
+  /// @param total    its covariance
   /// @param moments  from cov(x, beta_j) before and B_j^T, cov(x, beta_j) after
   /// @return false if `total` is not finite; then nothing has changed
   template <typename Moments>

@@ -177,14 +177,14 @@ class Swing {
   static constexpr double kForce = 0.1;   // standard deviation of the force in each direction at first, per weight
   static constexpr double kReturn = 20;   // L, how quickly the force returns to zero [1/s]
   static constexpr double kMemory = 0.3;  // time constant with which the size is learned [s]
-  static constexpr double kLeast = 0.01, kMost = 0.1;  // bounds of the size, per weight
-  static constexpr double kHidden = 0.03;              // relative error of a payload that swings unnoticed
-  static constexpr double kUnnoticed = 0.3;            // for how long a swing stays unnoticed [s]
-  static constexpr double kPickUp = 1;                 // how long a swing may belong to the pick-up [s]
-  static constexpr double kLed = 0.3, kLedArm = 0.1;   // what a hand carries: share of the payload; at [m]
-  static constexpr double kMiddle = 1;                 // memory of the middle of the swing [s]
-  static constexpr double kEdge = 0.3;                 // distance from it where a side begins, in standard deviations
-  static constexpr double kNewest = 0.3;               // share of the newest half period in the frequency
+  static constexpr double kLeast = 0.01, kMost = 0.1;   // bounds of the size, per weight
+  static constexpr double kHidden = 0.03;               // relative error of a payload that swings unnoticed
+  static constexpr double kUnnoticed = 0.3;             // for how long a swing stays unnoticed [s]
+  static constexpr double kPickUp = 1;                  // how long a swing may belong to the pick-up [s]
+  static constexpr double kLed = 0.3, kLedArm = 0.1;    // what a hand carries: share of the payload; at [m]
+  static constexpr double kMiddle = 1;                  // memory of the middle of the swing [s]
+  static constexpr double kEdge = 0.3;                  // distance from it where a side begins, in standard deviations
+  static constexpr double kNewest = 0.3;                // share of the newest half period in the frequency
   Vector3<Scalar> variance_ = Vector3<Scalar>::Zero();  // size: of the force in each direction [N^2], world axes
   Vector4<Scalar> tool_mean_ = Vector4<Scalar>::Zero(), tool_variance_ = Vector4<Scalar>::Zero();  // before it swung
   Rate<Scalar, Dofs> rate_;                           // r [N/s]; its fourth entry is 0
