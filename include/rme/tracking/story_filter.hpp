@@ -69,7 +69,7 @@ class StoryFilter {
     }
     if (child.mode == Mode::Empty) child.undecided.let_go();
     if (child.mode == Mode::Empty || child.mode == Mode::Disturbed) decide(child, child.star);
-    if (transition.anew) child.undecided.exchange();
+    if (transition.anew) child.undecided.exchange(model_.exchange_likely());
     if (child.mode == Mode::Changing && parent.mode != Mode::Changing) child.undecided.change(model_.exchange_likely());
     if (child.mode == Mode::Disturbed) {
       if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt)

@@ -9,7 +9,8 @@ namespace rme {
 /// all of it drives both up. Weight and support differ in one thing: something rigid resists each millimetre of motion
 /// with some newtons. So what appears little by little is undecided until the hand has moved up or down with it
 /// (docs/theory.md (T67)), also just before it was noticed. What appears at once is a payload, unless something
-/// undecided came before. Real time: nothing allocates.
+/// undecided came before. What takes its place before the hand has moved with it is as heavy at most: several steps are
+/// little by little as well. Real time: nothing allocates.
 template <typename Scalar>
 class Undecided {
  public:
@@ -32,16 +33,21 @@ class Undecided {
     changes_ = true;
   }
   /// A payload has taken the place of the one so far.
-  void exchange() noexcept {
+  /// @param certain  as in pour()
+  void exchange(bool certain) noexcept {
     const Undecided before = *this;
     *this = Undecided();
-    all_ = before.all_ || before.part() > 0;
+    all_ = !certain && (before.all_ || before.part() > 0);
+    steps_ = !certain && (before.steps_ || before.fresh_);
+    first_ = before.first_;
+    fresh_ = !certain && !before.weight_;
     risen_ = before.risen_;
   }
   /// Nothing is held any more.
   void let_go() noexcept {
-    exchange();
-    all_ = false;
+    const Scalar risen = risen_;
+    *this = Undecided();
+    risen_ = risen;
   }
   /// A block has passed.
   /// @param mass      of the payload [kg]
@@ -51,24 +57,28 @@ class Undecided {
   /// @param gravity   |g| [m/s^2]
   void update(Scalar mass, Scalar poured, Scalar duration, Scalar risen, Scalar gravity) noexcept {
     if (pours_) poured_ = poured;
+    if (!steps_) first_ = mass;
     if (changes_ && !weight_) {
       lasts_ += duration;
       all_ = all_ || lasts_ > Scalar(kAtOnce);
     }
     risen_ += risen;
-    if (!pours_ && !changes_ && !(of(mass) > 0)) {  // a load makes the hand sink before it is noticed
+    if (!pours_ && !changes_ && !fresh_ && !(of(mass) > 0)) {  // a load makes the hand sink before it is noticed
       risen_ = std::min(Scalar(0), risen_ * std::exp(-duration / Scalar(kRecent)));
       return;
     }
-    const Scalar weight = of(mass) * gravity;
+    const Scalar weight = (fresh_ ? std::max(Scalar(0), mass) : of(mass)) * gravity;
     if (risen_ > -Scalar(kSlack) && risen_ < Scalar(kSlack) + weight / Scalar(kRigid)) return;
     kept_ = poured_ = risen_ = lasts_ = Scalar(0);
-    all_ = false;
+    all_ = fresh_ = steps_ = false;
     weight_ = true;  // also what is still to come
   }
   /// How much of the payload's mass is undecided [kg].
   /// @param mass  of the payload [kg]
-  Scalar of(Scalar mass) const noexcept { return std::max(Scalar(0), all_ ? mass : std::min(mass, part())); }
+  Scalar of(Scalar mass) const noexcept {
+    const Scalar stepped = steps_ ? std::max(Scalar(0), mass - first_) : Scalar(0);
+    return std::max(Scalar(0), all_ ? mass : std::min(mass, part() + stepped));
+  }
 
   /// Share of a payload that is carried.
   /// @param undecided  share of it that is undecided
@@ -97,6 +107,9 @@ class Undecided {
   bool changes_ = false;       // the payload changes
   bool weight_ = false;        // what pours, or changes, is a weight
   bool all_ = false;           // all of the payload is undecided
+  bool fresh_ = false;         // it has appeared at once, and the hand has not moved since
+  bool steps_ = false;         // and it took the place of another one of which that was so
+  Scalar first_ = Scalar(0);   // mass of the first of them [kg]
 };
 
 }  // namespace rme
