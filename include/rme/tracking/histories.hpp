@@ -152,6 +152,7 @@ class Histories {
   void believe_empty(Scalar probability) noexcept {
     Tale story = told(0);
     story.settle();
+    story.undecided = {};
     story.star.forget_payload();
     add(story, Mode::Empty, 0, probability);
   }
@@ -160,6 +161,7 @@ class Histories {
                     Scalar probability) noexcept {
     Tale story = told(0);
     story.settle();
+    story.undecided = {};
     story.star.draw_payload(mean, factor);
     story.held_for = std::numeric_limits<Scalar>::max();  // no swing has been taken for weight
     const int payload = story.take_next();
@@ -170,6 +172,7 @@ class Histories {
   void tare(const Eigen::Matrix<Scalar, kArmShared, 1>& variance) noexcept {
     Tale story = told(0);
     story.settle();
+    story.undecided = {};
     story.star.payload_is_tool();
     story.star.widen_arm(variance);
     count_ = 0;  // a story in which it is still held, known well, would win against a tool that is known less well
