@@ -821,6 +821,21 @@ TEST_CASE("Estimator: what a host says is held is believed at once, and overturn
                                                       : EventKind::Exchanged));
     }
   }
+  // What has come little by little may be no weight, but the host knows what it is.
+  Bench slow(1);
+  slow.run(1);
+  for (int k = 1; k <= 40; ++k) {
+    slow.arm.hold({0.025 * k, kObject.com});
+    slow.run(0.025);
+  }
+  slow.run(0.5);
+  CHECK(slow.state().undecided > 0.5);
+  CHECK(slow.share_of(kObject) < 0.8);
+  REQUIRE(slow.estimator.set_payload(said) == Status::Ok);
+  slow.run(0.5);
+  CHECK(slow.state().undecided < 0.02);
+  CHECK(slow.share_of(kObject) > 0.98);
+
   Bench bench(3);
   bench.run(0.5);
   const State before = bench.state();
