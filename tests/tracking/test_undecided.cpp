@@ -121,6 +121,23 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("Undecided: what is found to be heavier within 0.1 s has appeared at once", "[undecided]") {
+  for (const int blocks : {5, 6}) {
+    CAPTURE(blocks);
+    Undecided u;
+    u.exchange(false);
+    pass(u, 0.1, 0, 0, blocks - 1);
+    u.exchange(false);
+    pass(u, 0.5, 0);
+    u.exchange(false);
+    pass(u, 1, 0, 0, 100);
+    CHECK(u.of(1) == Approx(blocks > 5 ? 0.5 : 0).margin(1e-12));
+    u.exchange(false);
+    pass(u, 1.2, 0, 0, 100);
+    CHECK(u.of(1.2) == Approx(blocks > 5 ? 0.7 : 0.2));
+  }
+}
+
 TEST_CASE("Undecided: what the host has announced is a weight, and so is what makes the hand sink while it changes",
           "[undecided]") {
   Undecided poured;

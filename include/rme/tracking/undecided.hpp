@@ -9,8 +9,8 @@ namespace rme {
 /// all of it drives both up. Weight and support differ in one thing: something rigid resists each millimetre of motion
 /// with some newtons. So what appears little by little is undecided until the hand has moved up or down with it
 /// (docs/theory.md (T67)), also just before it was noticed. What appears at once is a payload, unless something
-/// undecided came before. What takes its place before the hand has moved with it is as heavy at most: several steps are
-/// little by little as well. Real time: nothing allocates.
+/// undecided came before. What takes its place later, before the hand has moved with it, is as heavy at most: several steps
+/// are little by little as well. Real time: nothing allocates.
 template <typename Scalar>
 class Undecided {
  public:
@@ -38,8 +38,9 @@ class Undecided {
     const Undecided before = *this;
     *this = Undecided();
     all_ = !certain && (before.all_ || before.part() > 0);
-    steps_ = !certain && (before.steps_ || before.fresh_);
+    steps_ = !certain && (before.steps_ || (before.fresh_ && before.age_ > Scalar(kAtOnce)));
     first_ = before.first_;
+    age_ = before.fresh_ ? before.age_ : Scalar(0);
     fresh_ = !certain && !before.weight_;
     risen_ = before.risen_;
   }
@@ -58,6 +59,7 @@ class Undecided {
   void update(Scalar mass, Scalar poured, Scalar duration, Scalar risen, Scalar gravity) noexcept {
     if (pours_) poured_ = poured;
     if (!steps_) first_ = mass;
+    if (fresh_) age_ += duration;
     if (changes_ && !weight_) {
       lasts_ += duration;
       all_ = all_ || lasts_ > Scalar(kAtOnce);
@@ -110,6 +112,7 @@ class Undecided {
   bool fresh_ = false;         // it has appeared at once, and the hand has not moved since
   bool steps_ = false;         // and it took the place of another one of which that was so
   Scalar first_ = Scalar(0);   // mass of the first of them [kg]
+  Scalar age_ = Scalar(0);     // since that appeared [s]
 };
 
 }  // namespace rme
