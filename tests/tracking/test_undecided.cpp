@@ -105,7 +105,7 @@ TEST_CASE(
         pass(u, 0.1, 0, moved);
         for (const double mass : {0.3, 0.6, 0.05, 0.7}) {
           if (changes) u.change(certain);
-          if (changes) pass(u, 0.1, 0);
+          if (changes) pass(u, mass, 0);  // as the block alone shows it
           u.exchange(certain);
           pass(u, mass, 0);
           CHECK(u.of(mass) == Approx(steps ? std::max(0.0, mass - 0.1) : 0).margin(1e-12));

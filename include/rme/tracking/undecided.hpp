@@ -58,7 +58,7 @@ class Undecided {
   /// @param gravity   |g| [m/s^2]
   void update(Scalar mass, Scalar poured, Scalar duration, Scalar risen, Scalar gravity) noexcept {
     if (pours_) poured_ = poured;
-    if (!steps_) first_ = mass;
+    if (!steps_ && !changes_) first_ = mass;
     if (fresh_) age_ += duration;
     if (changes_ && !weight_) {
       lasts_ += duration;
