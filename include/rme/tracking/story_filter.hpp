@@ -63,14 +63,11 @@ class StoryFilter {
     model_.predict(child.star);
     if (transition.zeroed) model_.zero(child.star);
     if (!transition.swings) child.swing.end(child.star);
-    if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) {
-      child.pour.end(child.star);
-      child.undecided.end_pour();
-    }
-    if (child.mode == Mode::Empty) child.undecided.let_go();
+    if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) child.pour.end(child.star);
     if (child.mode == Mode::Empty || child.mode == Mode::Disturbed) decide(child, child.star);
-    if (transition.anew) child.undecided.exchange(model_.exchange_likely());
-    if (child.mode == Mode::Changing && parent.mode != Mode::Changing) child.undecided.change(model_.exchange_likely());
+    if (child.mode == Mode::Empty) child.undecided.let_go();
+    if (transition.anew || child.mode == Mode::Changing) child.undecided.change(model_.exchange_likely());
+    if (child.mode == Mode::Pouring && parent.mode != Mode::Pouring) child.undecided.pour(model_.exchange_likely());
     if (child.mode == Mode::Disturbed) {
       if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt)
         child.disturbance.begin(rated_);
@@ -85,8 +82,9 @@ class StoryFilter {
         drawn.star = child.star;
         drawn.mode = Mode::Held;
         const auto load = draw(drawn, children.first(), out);
+        const Scalar log_likelihood = update(drawn, load, out);
         decide(child, drawn.star);
-        return update(drawn, load, out) + log_plausible(drawn.star, kLightest);
+        return log_likelihood + log_plausible(drawn.star, kLightest);
       }
       Star star = child.star;
       Disturbance<Scalar, Dofs> anything;
@@ -116,7 +114,6 @@ class StoryFilter {
         if (child.payload == 0) model_.suppose_hidden(child.star, payload_.com_mean);
         child.log_none.reset();
         child.pour.begin(child.star, payload_, rated_, child.quick);
-        child.undecided.pour(model_.exchange_likely());
         if (child.payload == 0) {
           child.payload = child.take_next();
           child.held_for = Scalar(0);
@@ -161,9 +158,9 @@ class StoryFilter {
     return norm(model_.gravity()) * std::max(Scalar(kLightestSwing) * rated_, std::min(rated_, star.mass()));
   }
   /// Counts the block in what is undecided.
-  /// @param star  has what is held
-  void decide(Tale& story, const Star& star) noexcept {
-    story.undecided.update(star.mass(), star.poured_mass(), model_.block().elapsed(), model_.risen(),
+  /// @param shown  has what the block shows to be held
+  void decide(Tale& story, const Star& shown) noexcept {
+    story.undecided.update(story.star.mass(), shown.mass(), model_.block().elapsed(), model_.risen(),
                            norm(model_.gravity()));
   }
   /// What is held swings from now on.
