@@ -14,6 +14,14 @@ endif()
 
 add_compile_options(-fPIC)  # one object is good for a program and for a Python module; it is no slower
 
+# The numbers of joints for which programs are compiled, from one to another. An instrumented build shows nothing more of
+# five of them than of two.
+set(rme_joint_counts 4 5 6 7 8)
+if(RME_SANITIZED)
+  set(rme_joint_counts 6 7)
+  target_compile_definitions(rme_development INTERFACE RME_JOINT_COUNTS=6,7)
+endif()
+
 # rme_hot(FILE...): where the time of programs is spent. An instrumented build, which compiles everything else without
 # optimisation, optimises these.
 function(rme_hot)

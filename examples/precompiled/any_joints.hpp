@@ -1,6 +1,7 @@
 #pragma once
-/// The estimators that rme_precompiled_any_joints has, so that what links it need not compile them. That for seven joints is
-/// in rme_precompiled.
+/// The estimators that rme_precompiled_any_joints has, so that what links it need not compile them: those within
+/// RME_JOINT_COUNTS. That for seven joints is in rme_precompiled.
+#include <precompiled/joint_counts.hpp>
 #include <rme/estimator.hpp>
 
 namespace rme {

@@ -2,6 +2,7 @@
 /// An arm's model from its URDF, and the choice of the compiled templates by the number of joints at run time.
 #include <algorithm>
 #include <cstddef>
+#include <precompiled/joint_counts.hpp>
 #include <stdexcept>
 #include <string>
 #include <synthetic_arm/arm_model.hpp>
@@ -16,13 +17,6 @@ class UrdfError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-
-#ifndef RME_JOINT_COUNTS
-#define RME_JOINT_COUNTS 4, 8
-#endif
-inline constexpr int kJointCounts[] = {RME_JOINT_COUNTS};
-inline constexpr int kFewestJoints = kJointCounts[0],
-                     kMostJoints = kJointCounts[1];  ///< for which programs are compiled
 
 /// A joint of the chain, with its limits.
 struct ChainJoint {

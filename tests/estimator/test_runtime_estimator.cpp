@@ -10,7 +10,9 @@
 namespace {
 
 using namespace rme;
-using Runtime = RuntimeEstimator<double>;
+using examples::kFewestJoints;
+using examples::kMostJoints;
+using Runtime = RuntimeEstimator<double, kFewestJoints, kMostJoints>;
 
 /// The made-up arm's samples; after some time with everything that a host may add.
 template <int Dofs>
@@ -133,13 +135,15 @@ void check_equal() {
   CHECK(estimator.state().event.number == 0);
 }
 
+template <int Dofs = kFewestJoints>
+void check_each() {
+  check_equal<Dofs>();
+  if constexpr (Dofs < kMostJoints) check_each<Dofs + 1>();
+}
+
 TEST_CASE("RuntimeEstimator: for 4 to 8 joints it believes and commands what Estimator does, to the last bit",
           "[runtime_estimator]") {
-  check_equal<4>();
-  check_equal<5>();
-  check_equal<6>();
-  check_equal<7>();
-  check_equal<8>();
+  check_each();
 }
 
 TEST_CASE("RuntimeEstimator: a vector or matrix of another size is refused, and changes nothing",
@@ -173,8 +177,9 @@ TEST_CASE("RuntimeEstimator: a vector or matrix of another size is refused, and 
 
 TEST_CASE("RuntimeEstimator: arguments and settings out of range are refused by name at construction",
           "[runtime_estimator]") {
-  CHECK_THROWS_WITH(Runtime(3, 0.001), contains("RuntimeEstimator::joints: expected 4 to 8, got 3"));
-  CHECK_THROWS_WITH(Runtime(9, 0.001), contains("RuntimeEstimator::joints: expected 4 to 8, got 9"));
+  const std::string range = std::to_string(kFewestJoints) + " to " + std::to_string(kMostJoints);
+  CHECK_THROWS_WITH(Runtime(3, 0.001), contains("RuntimeEstimator::joints: expected " + range + ", got 3"));
+  CHECK_THROWS_WITH(Runtime(9, 0.001), contains("RuntimeEstimator::joints: expected " + range + ", got 9"));
   CHECK_THROWS_WITH((RuntimeEstimator<double, 6, 7>(8, 0.001)), contains("expected 6 to 7, got 8"));
   CHECK_THROWS_WITH(Runtime(6, 0), contains("Estimator::dt"));
   Runtime::Config config;
