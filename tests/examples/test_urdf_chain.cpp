@@ -83,7 +83,7 @@ TEST_CASE("read_urdf: a fixed tip may lie behind the last joint, turned", "[urdf
 }
 
 TEST_CASE("read_urdf: a URDF that cannot be used is refused, and what is wrong with it named", "[urdf_chain]") {
-  CHECK(refusal(rme::testing::small_arm(), "l0", "l4").empty());
+  CHECK(refusal(rme::testing::small_arm(), "l0", "l7").empty());
   for (const auto& bad : rme::testing::bad_urdfs()) {
     CAPTURE(bad.text, bad.base, bad.tip);
     CHECK_THAT(refusal(bad.text, bad.base, bad.tip), contains("arm.urdf: ") && contains(bad.reason));
