@@ -356,7 +356,8 @@ void JointTorqueModel<Scalar, Dofs>::predict(Star& star) const noexcept {
   const Scalar way = block_.velocity.norm() * block_.elapsed();
   const Scalar keep = exp(-way / static_cast<Scalar>(kind_.way));
   const Torque unlike = unlike_variance(star);
-  const Scalar hold = regime_.arm_moves() ? exp(-block_.elapsed() * static_cast<Scalar>(kind_.creep)) : Scalar(1);
+  const Scalar hold =
+      exp(-block_.elapsed() * static_cast<Scalar>(regime_.arm_moves() ? kind_.creep : kind_.creep_at_rest));
   for (int j = 0; j < Dofs; ++j) {
     auto& joint = star.joint(j);
     auto& V = joint.covariance;

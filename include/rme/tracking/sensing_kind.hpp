@@ -27,6 +27,7 @@ struct SensingKind {
   double way;               ///< correlation length of the residual [rad]
   double turn;              ///< how much of the residual is drawn anew when a joint turns over
   double creep;             ///< rate at which stiction is drawn anew while the arm moves [1/s]
+  double creep_at_rest;     ///< the same while it rests
   double stiction;          ///< variance of the stiction, in residual variances
   double turn_noise;        ///< noise of a joint that starts, stops or turns back, in residual variances
   double stop_noise;        ///< further noise of such a joint at rest
@@ -51,14 +52,14 @@ struct SensingKind {
 
 /// The kinds, in the order of Sensing.
 inline constexpr std::array<SensingKind, kSensings> kSensingKinds = {{
-    // evidence friction lag tool; residual least largest way; turn creep stiction turn_noise stop_noise
+    // evidence friction lag tool; residual least largest way; turn creep creep_at_rest stiction turn_noise stop_noise
     // slow; own common size memory settles; change takes_up jolt slowly faint depth; tails spread gain quiet draws
-    {-8, 0, 0.05, 0.003, 0.015, 0.005, 0.1,  0.7, 0, 0,  0, 0, 0, 0, 4,
+    {-8, 0, 0.05, 0.003, 0.015, 0.005, 0.1,  0.7, 0, 0,  0, 0, 0, 0, 0,   4,
      0,  0, 0.96, 100,   1e-3,  0,     1e-3, 1,   1, 20, 0, 1, 0, 2, true},
-    {0, 1, 0.05, 0.003, 0.015, 0.005, 0.1,  0.7, 0, 0.05, 0, 0, 0, 0,   4,
+    {0, 1, 0.05, 0.003, 0.015, 0.005, 0.1,  0.7, 0, 0.05, 0, 0, 0, 0,   0,   4,
      0, 0, 0.96, 100,   1e-3,  2e-4,  1e-3, 1,   0, 20,   0, 1, 0, 1.5, true},
-    {-40, 1,   0,   0.003, 0.3,     0.1,    4,    1.2,  1, 0.5, 16, 6,   20,   0.003, 0,
-     1,   0.5, 0.9, 1e9,   1.25e-5, 2.5e-5, 1e-2, 0.01, 0, 25,  8,  1.5, 0.02, 0,     false},
+    {-40, 1,   0,   0.003, 0.3,     0.1,    4,    1.2,  1, 0.5, 0.5, 16,  6,    20, 0.003, 0,
+     1,   0.5, 0.9, 1e9,   1.25e-5, 2.5e-5, 1e-2, 0.01, 0, 25,  8,   1.5, 0.02, 0,  false},
 }};
 
 /// The row of a kind.
