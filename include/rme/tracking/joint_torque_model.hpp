@@ -258,6 +258,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
                                            const FrictionRegime<Scalar, Dofs>& regime,
                                            const BlockContext<Scalar, Dofs>& context,
                                            const std::optional<Tilt>& tilt) noexcept {
+  constexpr double kCorrelated = 2.5;
   constexpr double kTiming = 0.0006;   // standard deviation of the torque's timing error [s]
   constexpr double kSteps = 8.0 / 12;  // variance of a rounding error, 1 / 12, times the blocks that it may last
   // Torque and motion may be a millisecond apart. And if the observer's bandwidth is not quite the stated one, its
@@ -276,8 +277,10 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   turn(block);
   started_ = true;
   // The error of the flange's acceleration makes an error of the payload's inertia force and moment (T29). The payload's
-  // distance from the flange is the prior's, inertia_arm_.
-  const Scalar linear = block.acceleration_variance, angular = block.angular_acceleration_variance;
+  // distance from the flange is the prior's, inertia_arm_. The joints' errors have one cause, which the filter neglects:
+  // kCorrelated makes up for that.
+  const Scalar linear = Scalar(kCorrelated) * block.acceleration_variance;
+  const Scalar angular = Scalar(kCorrelated) * block.angular_acceleration_variance;
   for (int j = 0; j < Dofs; ++j) {
     Scalar lever = Scalar(0), turn = Scalar(0);  // squared norms of the columns of J_v and J_w
     for (int axis = 0; axis < 3; ++axis) {
