@@ -580,6 +580,27 @@ TEST_CASE("Estimator: expect_change() with nothing or a push to follow carries n
   }
 }
 
+TEST_CASE("Estimator: what is handed over within 0.2 s after expect_change() is carried while it comes, and goes so",
+          "[estimator]") {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    CAPTURE(seed);
+    Bench bench(seed);
+    bench.run(1.5);
+    for (const bool comes : {true, false}) {
+      bench.estimator.expect_change();
+      for (int k = 0; k <= 200; ++k) {
+        CAPTURE(comes, k);
+        const double mass = kObject.mass * (comes ? k : 200 - k) / 200.0;
+        bench.arm.hold({mass, kObject.com});
+        bench.tick();
+        if (k >= 100) REQUIRE(std::abs(bench.mass() - mass) < 0.15 * kObject.mass);
+      }
+      bench.run(0.5);
+      CHECK(bench.mass() == Approx(comes ? kObject.mass : 0).margin(0.05 * kObject.mass));
+    }
+  }
+}
+
 TEST_CASE("Estimator: an arm that turns shows what one pose hides, and it is remembered", "[estimator]") {
   // At rest nothing tells where the centre of mass lies along gravity; turned by a right angle, it does.
   const Payload<double> object = {1.0, {0.06, -0.02, 0.16}};

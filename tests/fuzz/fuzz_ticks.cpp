@@ -2,43 +2,18 @@
 // any others, lost, repeated or frozen. Whatever happens, all that the estimator says is finite, the ramped torque
 // keeps its rate, and a refused tick leaves it as a twin that has not seen it.
 #include <cstdint>
-#include <cstring>
 #include <rme/core/compensation.hpp>
 #include <rme/estimator.hpp>
 
+#include "fuzz/bytes.hpp"
 #include "fuzz/check.hpp"
 
 namespace {
 
+using fuzzing::Bytes;
 using fuzzing::check;
 
 constexpr double kPeriod = 0.01;  // slow, so that few bytes make an event
-
-/// The bytes, one after the other; zero when there are no more.
-class Bytes {
- public:
-  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
-  bool empty() const { return left_ == 0; }
-  std::uint8_t byte() {
-    if (left_ == 0) return 0;
-    --left_;
-    return *data_++;
-  }
-  double in(double low, double high) { return low + (high - low) * byte() / 255.0; }
-  /// Any of the numbers that there are.
-  template <typename Scalar>
-  Scalar number() {
-    std::uint8_t raw[sizeof(Scalar)];
-    for (std::uint8_t& b : raw) b = byte();
-    Scalar x;
-    std::memcpy(&x, raw, sizeof x);
-    return x;
-  }
-
- private:
-  const std::uint8_t* data_;
-  std::size_t left_;
-};
 
 template <typename Scalar>
 using Estimator = rme::Estimator<Scalar, 6>;

@@ -43,14 +43,16 @@ void for_all_stories(const See& see) {
 
 TEST_CASE("Transitions: the probabilities of all that may happen to a story add up to one", "[transitions]") {
   for_all_stories([](const Story& story, const rme::SensingKind& kind) {
-    double sum = 0;
-    for (long block = 0; block < kAll; ++block)
-      Transitions::each(story, kind, block, false, [&](const Transition& t) {
-        CHECK(t.probability > 0);
-        sum += t.probability / kAll;
-      });
-    // What is slow takes place in every fifth or tenth block, and what goes on leaves room for it in all of them.
-    CHECK(sum == Approx(1).epsilon(1e-12));
+    for (const bool expected : {false, true}) {
+      double sum = 0;
+      for (long block = 0; block < kAll; ++block)
+        Transitions::each(story, kind, block, false, expected, [&](const Transition& t) {
+          CHECK(t.probability > 0);
+          sum += t.probability / kAll;
+        });
+      // What is slow takes place in every fifth or tenth block, and what goes on leaves room for it in all of them.
+      CHECK(sum == Approx(1).epsilon(1e-12));
+    }
   });
 }
 
@@ -58,7 +60,7 @@ TEST_CASE("Transitions: a story goes on in one way, and has no more children tha
   for_all_stories([](const Story& story, const rme::SensingKind& kind) {
     for (const bool explained : {false, true}) {
       int count = 0, go_on = 0;
-      Transitions::each(story, kind, 0, explained, [&](const Transition& t) {
+      Transitions::each(story, kind, 0, explained, !explained, [&](const Transition& t) {
         ++count;
         if (!t.goes_on) return;
         ++go_on;
@@ -83,7 +85,7 @@ TEST_CASE("Transitions: while a story explains the block, nothing begins but wha
     for (long block = 0; block < 2 * Transitions::kSlow; ++block) {
       const bool swings = story.star.swings(), soon = block % Transitions::kSoon == 0;
       bool drawn = false;
-      Transitions::each(story, kind, block, true, [&](const Transition& t) {
+      Transitions::each(story, kind, block, true, false, [&](const Transition& t) {
         CHECK((t.goes_on || t.mode == Mode::Pouring || t.never || (swings && soon)));
         if (t.never) CHECK(block % Transitions::kSlow == 0);
         if (t.mode == Mode::Pouring && !t.quick) CHECK(block % Transitions::kSlow == 0);
@@ -94,6 +96,20 @@ TEST_CASE("Transitions: while a story explains the block, nothing begins but wha
       CHECK(drawn == (swings && soon));  // a swing explains almost anything
     }
     CHECK(taken_up == Approx(story.mode == Mode::Empty ? 2 * Transitions::kSlow * kind.takes_up : 0).margin(1e-15));
+  });
+}
+
+TEST_CASE("Transitions: a payload that the host expects comes or goes quickly as likely as within a block",
+          "[transitions]") {
+  for_all_stories([](const Story& story, const rme::SensingKind& kind) {
+    if (story.mode != Mode::Empty && story.mode != Mode::Held) return;
+    double quickly = 0, changes = 0;
+    Transitions::each(story, kind, 1, false, true, [&](const Transition& t) {
+      if (t.mode == Mode::Pouring && t.quick) quickly += t.probability;
+      if (t.mode == Mode::Changing) changes += t.probability;
+    });
+    CHECK(quickly == kind.change);
+    CHECK(changes == kind.change);
   });
 }
 

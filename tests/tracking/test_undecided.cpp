@@ -9,25 +9,25 @@ using Undecided = rme::Undecided<double>;
 constexpr double kBlock = 0.02, kGravity = 9.81;
 
 /// Blocks in which a payload of `mass` is held, and the hand goes up by `risen`.
-void hold(Undecided& u, double mass, double risen = 0, int blocks = 1) {
-  for (int k = 0; k < blocks; ++k) u.update(mass, mass, kBlock, risen / blocks, kGravity);
+void hold(Undecided& u, double mass, double risen = 0, int blocks = 1, bool certain = false) {
+  for (int k = 0; k < blocks; ++k) u.update(mass, mass, kBlock, risen / blocks, kGravity, certain);
 }
 /// Blocks in which a payload of `before` changes, and shows `mass`.
 void change(Undecided& u, bool certain, double before, double mass, double risen = 0, int blocks = 1) {
   for (int k = 0; k < blocks; ++k) {
-    u.change(certain);
-    u.update(before, mass, kBlock, risen / blocks, kGravity);
+    u.change();
+    u.update(before, mass, kBlock, risen / blocks, kGravity, certain);
   }
 }
 /// A block in which a payload of `mass` is drawn.
 void draw(Undecided& u, double mass) {
-  u.change(false);
+  u.change();
   hold(u, mass);
 }
 /// A pour that leaves `mass` in the hand, which goes up by `risen`.
 void pour(Undecided& u, double mass, double risen = 0, bool certain = false) {
-  u.pour(certain);
-  hold(u, mass, risen, 10);
+  u.pour();
+  hold(u, mass, risen, 10, certain);
 }
 
 TEST_CASE(
@@ -107,8 +107,8 @@ TEST_CASE(
         double least = 0.1;
         for (const double mass : {0.3, 0.6, 0.05, 0.7}) {
           if (changes) change(u, certain, least, mass);  // as the block alone shows it
-          u.change(certain);
-          hold(u, mass);
+          u.change();
+          hold(u, mass, 0, 1, certain);
           least = std::min(least, mass);
           CHECK(u.of(mass) == Approx(steps ? mass - least : 0).margin(1e-12));
           if (!steps) break;
@@ -128,7 +128,7 @@ TEST_CASE(
   CHECK(quick.of(0.6) == Approx(0.1));
 
   Undecided poured;
-  poured.pour(false);
+  poured.pour();
   hold(poured, 0.1);
   draw(poured, 0.5);
   CHECK(poured.of(0.5) == Approx(0.5));  // at once, but after a pour
@@ -154,6 +154,15 @@ TEST_CASE("Undecided: what the host has announced is a weight, and so is what ma
   CHECK(poured.of(1) == 0);
   hold(poured, 1.5);
   CHECK(poured.of(1.5) == 0);
+
+  Undecided told;  // while it comes already
+  pour(told, 1);
+  CHECK(told.of(1) == Approx(1));
+  hold(told, 1, 0, 1, true);
+  hold(told, 1.5);
+  CHECK(told.of(1.5) == 0);
+  pour(told, 2);
+  CHECK(told.of(2) == Approx(0.5));  // what comes later is another matter
 
   Undecided changed;
   change(changed, true, 0, 1, 0, 20);

@@ -221,7 +221,8 @@ class Histories {
     phase_ = phase;
     planned_ = done_ = 0;
     for (int i = 0; i < count_; ++i)
-      Transitions::each(told(i), model().kind(), blocks_, explained_, [&](const Transition& t) { plan(i, t); });
+      Transitions::each(told(i), model().kind(), blocks_, explained_, exchange_likely_,
+                        [&](const Transition& t) { plan(i, t); });
   }
   /// Whether a child is to be computed in this phase.
   bool due(int i, const Transition& t) const noexcept {
@@ -245,11 +246,11 @@ class Histories {
     using std::log;
     if (!due(i, t) || planned_ == kPlans) return;
     const Tale& parent = told(i);
-    const bool exchange =
-        t.mode == Mode::Changing || t.anew || (t.mode == Mode::Empty && parent.mode == Mode::Held && !t.never);
+    const bool exchange = t.mode == Mode::Changing || t.anew || (t.quick && parent.mode != Mode::Pouring) ||
+                          (t.mode == Mode::Empty && parent.mode == Mode::Held && !t.never);
     auto log_probability = static_cast<Scalar>(log(t.probability));
     if (exchange_likely_ && parent.settled()) {  // as much as everything else together
-      const double all = model().kind().change * (1 + (parent.mode == Mode::Held ? 2 : 1) * Transitions::kAtOnce);
+      const double all = model().kind().change * (2 + (parent.mode == Mode::Held ? 2 : 1) * Transitions::kAtOnce);
       log_probability += static_cast<Scalar>(log(exchange ? 0.5 / all : 0.5));
     }
     if (parent.log_weight + log_probability < heaviest_ - depth()) return;

@@ -66,8 +66,8 @@ class StoryFilter {
     if (parent.mode == Mode::Pouring && child.mode != Mode::Pouring) child.pour.end(child.star);
     if (child.mode == Mode::Empty || child.mode == Mode::Disturbed) decide(child, child.star);
     if (child.mode == Mode::Empty) child.undecided.let_go();
-    if (transition.anew || child.mode == Mode::Changing) child.undecided.change(model_.exchange_likely());
-    if (child.mode == Mode::Pouring && parent.mode != Mode::Pouring) child.undecided.pour(model_.exchange_likely());
+    if (transition.anew || child.mode == Mode::Changing) child.undecided.change();
+    if (child.mode == Mode::Pouring && parent.mode != Mode::Pouring) child.undecided.pour();
     if (child.mode == Mode::Disturbed) {
       if (parent.mode != Mode::Disturbed || parent.how == Disturbing::Jolt)
         child.disturbance.begin(rated_);
@@ -111,7 +111,8 @@ class StoryFilter {
     std::optional<Load<Scalar, Dofs>> load;  // if it differs from what the child says before the block
     if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
-        if (child.payload == 0) model_.suppose_hidden(child.star, payload_.com_mean);
+        if (child.payload == 0 && !model_.exchange_likely())  // if the host says so, it begins now
+          model_.suppose_hidden(child.star, payload_.com_mean);
         child.log_none.reset();
         child.pour.begin(child.star, payload_, rated_, child.quick);
         if (child.payload == 0) {
@@ -161,7 +162,7 @@ class StoryFilter {
   /// @param shown  has what the block shows to be held
   void decide(Tale& story, const Star& shown) noexcept {
     story.undecided.update(story.star.mass(), shown.mass(), model_.block().elapsed(), model_.risen(),
-                           norm(model_.gravity()));
+                           norm(model_.gravity()), model_.exchange_likely());
   }
   /// What is held swings from now on.
   /// @param shown  has its mass

@@ -63,9 +63,10 @@ struct Transitions {
   /// @param kind       of torque sensing
   /// @param block      number of the block
   /// @param explained  whether one story in which nothing happens explains the block
+  /// @param expected   whether the host says that the payload changes now: within a block or quickly, both as likely
   /// @param use        callable (const Transition&)
   template <typename Scalar, int Dofs, typename Use>
-  static void each(const Story<Scalar, Dofs>& story, const SensingKind& kind, long block, bool explained,
+  static void each(const Story<Scalar, Dofs>& story, const SensingKind& kind, long block, bool explained, bool expected,
                    const Use& use) noexcept {
     const double change = kind.change;
     const bool slow = block % kSlow == 0, soon = block % kSoon == 0;
@@ -114,7 +115,8 @@ struct Transitions {
       case Mode::Empty:
       case Mode::Held: {
         const bool empty = story.mode == Mode::Empty;
-        const double pours = (empty ? kFills : kPours) * kind.slowly, takes_up = empty ? kind.takes_up : 0;
+        const double pours = (empty ? kFills : kPours) * kind.slowly;
+        const double takes_up = expected ? change : empty ? kind.takes_up : 0;
         const double at_once = kAtOnce * change;
         const double never = !empty && story.log_none ? at_once : 0;
         const bool swings = story.star.swings();

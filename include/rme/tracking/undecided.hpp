@@ -14,15 +14,13 @@ template <typename Scalar>
 class Undecided {
  public:
   /// In this block the payload changes, or another one takes its place.
-  /// @param certain  the host has said that the payload changes, so it is a weight
-  void change(bool certain) noexcept {
-    begin(certain);
+  void change() noexcept {
+    begin();
     slow_ = !weight_ && (slow_ || age_ > Scalar(kAtOnce));
   }
   /// From this block on, something flows into what is held.
-  /// @param certain  as in change()
-  void pour(bool certain) noexcept {
-    begin(certain);
+  void pour() noexcept {
+    begin();
     slow_ = !weight_;
   }
   /// Nothing is held any more.
@@ -37,12 +35,13 @@ class Undecided {
   /// @param duration  of the block [s]
   /// @param risen     how far the hand has gone up in it [m]
   /// @param gravity   |g| [m/s^2]
-  void update(Scalar mass, Scalar shown, Scalar duration, Scalar risen, Scalar gravity) noexcept {
+  /// @param certain   the host has said that the payload changes now, so what comes is a weight
+  void update(Scalar mass, Scalar shown, Scalar duration, Scalar risen, Scalar gravity, bool certain) noexcept {
     age_ += duration;
     risen_ += risen;
     if (!slow_) risen_ *= std::exp(-duration / Scalar(kRecent));  // a load makes the hand sink before it is noticed
     const Scalar force = (slow_ ? of(shown) : std::max(Scalar(0), shown)) * gravity;
-    if (!weight_ && !(risen_ > -Scalar(kSlack) && risen_ < Scalar(kSlack) + force / Scalar(kRigid))) {
+    if (certain || !(risen_ > -Scalar(kSlack) && risen_ < Scalar(kSlack) + force / Scalar(kRigid))) {
       weight_ = true;
       slow_ = false;
     }
@@ -64,12 +63,12 @@ class Undecided {
   static constexpr double kAtOnce = 0.1;   // longest change that is felt at once [s]
 
   /// Something comes. What has come since the hand last moved with all of it is one with it.
-  void begin(bool certain) noexcept {
+  void begin() noexcept {
     if (weight_) {
       age_ = Scalar(0);
       risen_ = std::min(Scalar(0), risen_);
     }
-    weight_ = certain;
+    weight_ = false;
   }
 
   Scalar settled_ = Scalar(0);  // mass that is no support [kg]
