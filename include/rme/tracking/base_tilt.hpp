@@ -43,7 +43,6 @@ Eigen::Matrix<Scalar, Dofs, 3> usual_gravity_torque(const Jacobian<Scalar, Dofs>
 template <typename Scalar, int Dofs>
 class BaseTilt {
  public:
-  using Angles = Eigen::Matrix<Scalar, 2, 1>;        ///< [rad]
   using Matrix2 = Eigen::Matrix<Scalar, 2, 2>;       ///< [rad^2]
   using Regressor = Eigen::Matrix<Scalar, Dofs, 2>;  ///< d tau / d angles [N m/rad]
   static constexpr double kLevelled =
@@ -71,17 +70,22 @@ class BaseTilt {
         for (int axis = 0; axis < 3; ++axis) out(j, k) -= pull(j, axis) * along_[static_cast<std::size_t>(k)][axis];
     return out;
   }
-  /// The weight of what is held acts along the true gravity: turns it in the block's regressor.
-  void turn_weight(TorqueBlock<Scalar, Dofs>& block, const Angles& angles) const noexcept {
-    Vector3<Scalar> turned = Vector3<Scalar>::Zero();  // by how much the tilt changes gravity
-    for (int k = 0; k < 2; ++k) detail::add_scaled(turned, angles[k], along_[static_cast<std::size_t>(k)]);
-    const Matrix3<Scalar> lever = detail::product(skew(turned), block.rotation);
-    for (int j = 0; j < Dofs; ++j) {
-      for (int axis = 0; axis < 3; ++axis) {
-        block.regressor(j, 0) += block.jacobian(axis, j) * turned[axis];
-        for (int i = 0; i < 3; ++i) block.regressor(j, 1 + i) -= block.jacobian(3 + axis, j) * lever(axis, i);
-      }
+  /// How the weight of what is held shows the tilt, as the arm's own does.
+  /// @param block  for its pose
+  /// @param held   (m, m r) of what is held [kg, kg m], end-effector axes
+  Regressor weight(const TorqueBlock<Scalar, Dofs>& block, const Vector4<Scalar>& held) const noexcept {
+    Vector3<Scalar> moment = Vector3<Scalar>::Zero();  // m r, world axes
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) moment[i] += block.rotation(i, k) * held[1 + k];
+    Regressor out = Regressor::Zero();
+    for (int k = 0; k < 2; ++k) {
+      const Vector3<Scalar>& turned = along_[static_cast<std::size_t>(k)];
+      const Vector3<Scalar> turns = moment.cross(turned);
+      for (int j = 0; j < Dofs; ++j)
+        for (int axis = 0; axis < 3; ++axis)
+          out(j, k) += block.jacobian(axis, j) * held[0] * turned[axis] + block.jacobian(3 + axis, j) * turns[axis];
     }
+    return out;
   }
   /// What links that weigh other than usual ones make of the torque that a tilt is expected to show, as variances of the
   /// joints' torques [(N m)^2]. 0 if the tilt is known not to be.

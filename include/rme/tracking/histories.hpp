@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
@@ -279,7 +278,6 @@ class Histories {
   /// levelled base, and finds more if there is more; without, one story alone has a tilt.
   void begin_model(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
                    const BlockContext<Scalar, Dofs>& context) noexcept {
-    using Tilt = typename JointTorqueModel<Scalar, Dofs>::Tilt;
     const bool known = block.gravity_torque.has_value(), first = blocks_ == 0;
     bool tilts = known;
     for (int i = 0; i < count_; ++i) {
@@ -287,9 +285,7 @@ class Histories {
       if (first && !known) told(i).star.set_tilt(Scalar(0));
       tilts = tilts || told(i).tilted;
     }
-    const auto& mean = told(0).star.mean();
-    filter_.model().begin(block, regime, context,
-                          tilts ? std::optional<Tilt>(Tilt(mean[kTilt], mean[kTilt + 1])) : std::nullopt);
+    filter_.model().begin(block, regime, context, tilts);
     for (int i = 0; i < count_; ++i)
       if (first && told(i).tilted) filter_.model().tilt(told(i).star, Scalar(kTilted));
   }

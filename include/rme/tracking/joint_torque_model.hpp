@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
 #include <rme/tracking/base_tilt.hpp>
@@ -19,8 +18,9 @@ namespace rme {
 /// What the joints bear beside the arm itself.
 template <typename Scalar, int Dofs>
 struct Load {
-  Scalar mass = Scalar(0);                                               ///< of the payload [kg]
-  JointVector<Scalar, Dofs> torque = JointVector<Scalar, Dofs>::Zero();  ///< [N m]
+  Scalar mass = Scalar(0);                                                       ///< of the payload [kg]
+  JointVector<Scalar, Dofs> torque = JointVector<Scalar, Dofs>::Zero();          ///< [N m]
+  Eigen::Matrix<Scalar, Dofs, 2> tilt = Eigen::Matrix<Scalar, Dofs, 2>::Zero();  ///< by the tilt of the base [N m/rad]
 };
 
 /// Model of the joints' torque for one kind of torque sensing: the prior of what all joints share and of each joint's
@@ -33,9 +33,8 @@ struct Load {
 template <typename Scalar, int Dofs>
 class JointTorqueModel {
  public:
-  using Star = StarGaussian<Scalar, Dofs>;               ///< state of a filter
-  using Torque = JointVector<Scalar, Dofs>;              ///< one number per joint
-  using Tilt = typename BaseTilt<Scalar, Dofs>::Angles;  ///< of the base [rad]
+  using Star = StarGaussian<Scalar, Dofs>;   ///< state of a filter
+  using Torque = JointVector<Scalar, Dofs>;  ///< one number per joint
 
   /// @param kind           row of the kind of torque sensing
   /// @param arm            sizes of noise, offset, residual and friction before the first sample
@@ -83,10 +82,9 @@ class JointTorqueModel {
   /// @param regime   which joints rest in it
   /// @param context  what else is known of it. Unless friction_shows is set, a change of the torque while the arm rests
   ///                 is not taken for a change of friction
-  /// @param tilt     of the base, as far as it is known, if any story has one: where the block has the arm's gravity
-  ///                 torque, the payload's weight is turned by it as well
+  /// @param tilted   whether any story has a tilted base
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
-             const BlockContext<Scalar, Dofs>& context = {}, const std::optional<Tilt>& tilt = std::nullopt) noexcept;
+             const BlockContext<Scalar, Dofs>& context = {}, bool tilted = false) noexcept;
   /// Time update: changes the nuisances from the last block to this one. To be called before the update with the
   /// block's torque.
   void predict(Star& star) const noexcept;
@@ -150,7 +148,10 @@ class JointTorqueModel {
   Load<Scalar, Dofs> load(const Star& star) const noexcept {
     Load<Scalar, Dofs> out;
     out.mass = std::min(std::max(star.mass(), Scalar(0)), rated_);
-    if (!star.empty()) out.torque = detail::product(block_.regressor, star.payload_mean());
+    if (star.empty()) return out;
+    const InertialVector<Scalar> held = star.payload_mean();
+    out.torque = detail::product(block_.regressor, held);
+    if (tilted_) out.tilt = base_.weight(block_, {held[0], held[1], held[2], held[3]});
     return out;
   }
   /// The measurement of joint j in this block.
@@ -239,7 +240,7 @@ class JointTorqueModel {
   ArmPrior<Scalar, Dofs> arm_;
   Scalar rated_, inertia_arm_;
   SensorNoise<Scalar, Dofs> noise_;
-  bool started_ = false, friction_shows_ = false, exchange_likely_ = false;
+  bool started_ = false, tilted_ = false, friction_shows_ = false, exchange_likely_ = false;
   TorqueBlock<Scalar, Dofs> block_;
   FrictionRegime<Scalar, Dofs> regime_;
   // How far friction has turned over in this block, and the decaying maximum of that (turn()).
@@ -256,8 +257,7 @@ class JointTorqueModel {
 template <typename Scalar, int Dofs>
 void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& block,
                                            const FrictionRegime<Scalar, Dofs>& regime,
-                                           const BlockContext<Scalar, Dofs>& context,
-                                           const std::optional<Tilt>& tilt) noexcept {
+                                           const BlockContext<Scalar, Dofs>& context, bool tilted) noexcept {
   constexpr double kCorrelated = 2.5;
   constexpr double kTiming = 0.0006;   // standard deviation of the torque's timing error [s]
   constexpr double kSteps = 8.0 / 12;  // variance of a rounding error, 1 / 12, times the blocks that it may last
@@ -289,10 +289,10 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
     }
     inertia_noise_[j] = linear * lever + (linear * inertia_arm_ + angular * inertia_arm_ * inertia_arm_) * turn;
   }
+  tilted_ = tilted;
   tilt_.setZero();
-  if (tilt) tilt_ = base_.regressor(block);
+  if (tilted) tilt_ = base_.regressor(block);
   block_ = block;
-  if (tilt && block.gravity_torque) base_.turn_weight(block_, *tilt);
   regime_ = regime;
   friction_shows_ = context.friction_shows;
   exchange_likely_ = context.exchange_likely;
@@ -401,7 +401,7 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, cons
   o.torque = block_.tau[j];
   o.h[kLag] = block_.observer_time * block_.torque_rate[j];
   for (int i = 0; i < 4; ++i) o.h[kTool + i] = block_.regressor(j, i);
-  for (int i = 0; i < 2; ++i) o.h[kTilt + i] = tilt_(j, i);
+  for (int i = 0; i < 2; ++i) o.h[kTilt + i] = tilt_(j, i) + load.tilt(j, i);
   for (int i = 0; i < kInertial; ++i) o.h[kPayload + i] = block_.regressor(j, i);
   for (int i = 0; i < 4; ++i) o.h[kPoured + i] = swings ? Scalar(0) : block_.regressor(j, i);
   for (int i = 0; swings && i < 3; ++i) o.h[kSwing + i] = block_.jacobian(i, j);
