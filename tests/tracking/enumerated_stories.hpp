@@ -319,6 +319,8 @@ class EnumeratedStories {
     Load<double, Dofs> load;
     load.mass = std::clamp(about.mass(), 0.0, rated_);
     load.torque = model.block().regressor * about.payload_mean();
+    load.held = about.payload_mean().template head<4>();
+    load.tilt = about.mean().template segment<2>(rme::kTilt);
     double out = 0;
     for (int j = 0; j < Dofs; ++j) {  // no joint's stiction jumps while the arm rests
       const auto p = star.predict(j, model.observation(j, load, star.swings()));

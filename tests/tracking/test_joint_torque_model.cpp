@@ -445,7 +445,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("JointTorqueModel: the weight of what is held shows the tilt as the arm's own does, in stories that have one",
+TEST_CASE("JointTorqueModel: the weight of what is held acts along the tilted gravity, linearised about what is known",
           "[joint_torque]") {
   const unsigned seed = 706;
   CAPTURE(seed);
@@ -459,33 +459,39 @@ TEST_CASE("JointTorqueModel: the weight of what is held shows the tilt as the ar
   block.jacobian = block.jacobian.NullaryExpr(draw);
   block.rotation = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
   block.regressor = block.regressor.NullaryExpr(draw);
-  auto star = model.prior();
   const rme::InertialVector<double> phi = rme::InertialVector<double>::NullaryExpr(draw);
-  star.draw_payload(phi, rme::InertialMatrix<double>::Identity());
-  const auto shown = [&](int j, const rme::Load<double, kDofs>& load) {
-    return model.observation(j, load).h.segment<2>(rme::kTilt).dot(angles);
-  };
   // An arm whose joints show the coordinates of gravity tells by how much the angles change it.
   Eigen::Vector3d changed = Eigen::Vector3d::Zero();
   for (int axis = 0; axis < 3; ++axis) {
     block.gravity_torque = Eigen::Matrix<double, kDofs, 3>::Zero();
     (*block.gravity_torque)(0, axis) = 1;
     model.begin(block, Regime(), {}, true);
-    changed[axis] = -shown(0, {});
+    changed[axis] = -model.observation(0, {}).h.segment<2>(rme::kTilt).dot(angles);
   }
   CHECK(changed.norm() == Approx(angles.norm() * gravity.norm()));
   CHECK(std::abs(changed.dot(gravity)) < 1e-9);
-  const rme::Vector6<double> difference =
-      (rme::inertial_wrench_regressor<double>(block.rotation, gravity + changed, {}) -
-       rme::inertial_wrench_regressor<double>(block.rotation, gravity, {})) *
-      phi;
+  const Eigen::Matrix<double, 6, rme::kInertial> difference =
+      rme::inertial_wrench_regressor<double>(block.rotation, gravity + changed, {}) -
+      rme::inertial_wrench_regressor<double>(block.rotation, gravity, {});
+  rme::Load<double, kDofs> load;
+  load.held = phi.head<4>();
+  load.tilt = angles;
   for (const bool known : {false, true}) {
     if (!known) block.gravity_torque.reset();
-    model.begin(block, Regime(), {}, true);
-    for (int j = 0; j < kDofs; ++j)
-      CHECK(std::abs(shown(j, model.load(star)) - shown(j, {}) - block.jacobian.col(j).dot(difference)) < 1e-9);
-    model.begin(block, Regime());
-    for (int j = 0; j < kDofs; ++j) CHECK(shown(j, model.load(star)) == 0);
+    for (int j = 0; j < kDofs; ++j) {
+      const Eigen::Matrix<double, 1, rme::kInertial> turned = block.jacobian.col(j).transpose() * difference;
+      model.begin(block, Regime(), {}, true);
+      const auto level = model.observation(j, {}), tilted = model.observation(j, load);
+      CHECK((tilted.h.segment<rme::kInertial>(rme::kPayload) - block.regressor.row(j).transpose() - turned.transpose())
+                .norm() < 1e-9);
+      CHECK((tilted.h.segment<4>(rme::kPoured) - tilted.h.segment<4>(rme::kPayload)).norm() < 1e-12);
+      CHECK((tilted.h - level.h).segment<2>(rme::kTilt).dot(angles) == Approx(turned.dot(phi)));
+      CHECK(tilted.torque - level.torque == Approx(turned.dot(phi)));  // so that the product counts once
+      CHECK(level.torque == block.tau[j]);
+      model.begin(block, Regime());  // no story has a tilt
+      CHECK(model.observation(j, load).h == model.observation(j, {}).h);
+      CHECK(model.observation(j, load).torque == block.tau[j]);
+    }
   }
 }
 

@@ -43,8 +43,9 @@ Eigen::Matrix<Scalar, Dofs, 3> usual_gravity_torque(const Jacobian<Scalar, Dofs>
 template <typename Scalar, int Dofs>
 class BaseTilt {
  public:
-  using Matrix2 = Eigen::Matrix<Scalar, 2, 2>;       ///< [rad^2]
-  using Regressor = Eigen::Matrix<Scalar, Dofs, 2>;  ///< d tau / d angles [N m/rad]
+  using Matrix2 = Eigen::Matrix<Scalar, 2, 2>;                   ///< [rad^2]
+  using Regressor = Eigen::Matrix<Scalar, Dofs, 2>;              ///< d tau / d angles [N m/rad]
+  using Weight = std::array<Eigen::Matrix<Scalar, Dofs, 4>, 2>;  ///< of each angle [N m/rad per kg and per kg m]
   static constexpr double kLevelled =
       0.02;  ///< standard deviation of each angle, if nobody says that the base is tilted [rad]
 
@@ -70,20 +71,19 @@ class BaseTilt {
         for (int axis = 0; axis < 3; ++axis) out(j, k) -= pull(j, axis) * along_[static_cast<std::size_t>(k)][axis];
     return out;
   }
-  /// How the weight of what is held shows the tilt, as the arm's own does.
+  /// How the weight of what is held shows the tilt: the regressor of (m, m r) per radian of each angle.
   /// @param block  for its pose
-  /// @param held   (m, m r) of what is held [kg, kg m], end-effector axes
-  Regressor weight(const TorqueBlock<Scalar, Dofs>& block, const Vector4<Scalar>& held) const noexcept {
-    Vector3<Scalar> moment = Vector3<Scalar>::Zero();  // m r, world axes
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) moment[i] += block.rotation(i, k) * held[1 + k];
-    Regressor out = Regressor::Zero();
-    for (int k = 0; k < 2; ++k) {
-      const Vector3<Scalar>& turned = along_[static_cast<std::size_t>(k)];
-      const Vector3<Scalar> turns = moment.cross(turned);
-      for (int j = 0; j < Dofs; ++j)
-        for (int axis = 0; axis < 3; ++axis)
-          out(j, k) += block.jacobian(axis, j) * held[0] * turned[axis] + block.jacobian(3 + axis, j) * turns[axis];
+  Weight weight(const TorqueBlock<Scalar, Dofs>& block) const noexcept {
+    Weight out;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Matrix3<Scalar> lever = detail::product(skew(along_[k]), block.rotation);
+      out[k].setZero();
+      for (int j = 0; j < Dofs; ++j) {
+        for (int axis = 0; axis < 3; ++axis) {
+          out[k](j, 0) += block.jacobian(axis, j) * along_[k][axis];
+          for (int i = 0; i < 3; ++i) out[k](j, 1 + i) -= block.jacobian(3 + axis, j) * lever(axis, i);
+        }
+      }
     }
     return out;
   }

@@ -18,9 +18,10 @@ namespace rme {
 /// What the joints bear beside the arm itself.
 template <typename Scalar, int Dofs>
 struct Load {
-  Scalar mass = Scalar(0);                                                       ///< of the payload [kg]
-  JointVector<Scalar, Dofs> torque = JointVector<Scalar, Dofs>::Zero();          ///< [N m]
-  Eigen::Matrix<Scalar, Dofs, 2> tilt = Eigen::Matrix<Scalar, Dofs, 2>::Zero();  ///< by the tilt of the base [N m/rad]
+  Scalar mass = Scalar(0);                                                 ///< of the payload [kg]
+  JointVector<Scalar, Dofs> torque = JointVector<Scalar, Dofs>::Zero();    ///< [N m]
+  Vector4<Scalar> held = Vector4<Scalar>::Zero();                          ///< (m, m r) of the payload [kg, kg m]
+  Eigen::Matrix<Scalar, 2, 1> tilt = Eigen::Matrix<Scalar, 2, 1>::Zero();  ///< of the base [rad]
 };
 
 /// Model of the joints' torque for one kind of torque sensing: the prior of what all joints share and of each joint's
@@ -151,12 +152,13 @@ class JointTorqueModel {
     if (star.empty()) return out;
     const InertialVector<Scalar> held = star.payload_mean();
     out.torque = detail::product(block_.regressor, held);
-    if (tilted_) out.tilt = base_.weight(block_, {held[0], held[1], held[2], held[3]});
+    out.held = held.template head<4>();
+    out.tilt = star.mean().template segment<2>(kTilt);
     return out;
   }
   /// The measurement of joint j in this block.
   /// @param j       0 .. Dofs - 1
-  /// @param load    about which the product of load and gain is linearised
+  /// @param load    about which the products of load and gain, and of weight and tilt, are linearised
   /// @param swings  whether the payload swings
   JointObservation<Scalar> observation(int j, const Load<Scalar, Dofs>& load, bool swings = false) const noexcept;
   /// Variance that a jump of joint j's stiction would add in this block [(N m)^2]: a joint that rests while others move
@@ -251,7 +253,8 @@ class JointTorqueModel {
   BaseTilt<Scalar, Dofs> base_;
   Vector3<Scalar> gravity_;
   Eigen::Matrix<Scalar, Dofs, 2> tilt_ = Eigen::Matrix<Scalar, Dofs, 2>::Zero();  // d tau / d tilt [N m/rad]
-  Torque timing_noise_ = Torque::Zero(), inertia_noise_ = Torque::Zero();         // variances [(N m)^2], [(N m / kg)^2]
+  typename BaseTilt<Scalar, Dofs>::Weight turns_;                          // the same of what is held, if tilted_
+  Torque timing_noise_ = Torque::Zero(), inertia_noise_ = Torque::Zero();  // variances [(N m)^2], [(N m / kg)^2]
 };
 
 template <typename Scalar, int Dofs>
@@ -291,7 +294,10 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   }
   tilted_ = tilted;
   tilt_.setZero();
-  if (tilted) tilt_ = base_.regressor(block);
+  if (tilted) {
+    tilt_ = base_.regressor(block);
+    turns_ = base_.weight(block);
+  }
   block_ = block;
   regime_ = regime;
   friction_shows_ = context.friction_shows;
@@ -401,10 +407,21 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, cons
   o.torque = block_.tau[j];
   o.h[kLag] = block_.observer_time * block_.torque_rate[j];
   for (int i = 0; i < 4; ++i) o.h[kTool + i] = block_.regressor(j, i);
-  for (int i = 0; i < 2; ++i) o.h[kTilt + i] = tilt_(j, i) + load.tilt(j, i);
+  for (int i = 0; i < 2; ++i) o.h[kTilt + i] = tilt_(j, i);
   for (int i = 0; i < kInertial; ++i) o.h[kPayload + i] = block_.regressor(j, i);
   for (int i = 0; i < 4; ++i) o.h[kPoured + i] = swings ? Scalar(0) : block_.regressor(j, i);
   for (int i = 0; swings && i < 3; ++i) o.h[kSwing + i] = block_.jacobian(i, j);
+  for (int k = 0; tilted_ && k < 2; ++k) {  // the product of tilt and weight, linearised about the load's
+    const auto& turns = turns_[static_cast<std::size_t>(k)];
+    Scalar shown = Scalar(0);
+    for (int i = 0; i < 4; ++i) {
+      shown += turns(j, i) * load.held[i];
+      o.h[kPayload + i] += turns(j, i) * load.tilt[k];
+      if (!swings) o.h[kPoured + i] += turns(j, i) * load.tilt[k];
+    }
+    o.h[kTilt + k] += shown;
+    o.torque += shown * load.tilt[k];
+  }
   o.noise = noise_.variance(j) + timing_noise_[j] + load.mass * load.mass * inertia_noise_[j];
   const JointFriction<Scalar>& friction = regime_.joint(j);
   const Scalar v = block_.velocity[j], slow = static_cast<Scalar>(kind_.slow);
