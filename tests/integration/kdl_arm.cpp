@@ -61,7 +61,7 @@ Eigen::VectorXd KdlArm::inverse_dynamics(const Eigen::VectorXd& q, const Eigen::
 }
 
 Eigen::MatrixXd KdlArm::mass_matrix(const Eigen::VectorXd& q) const {
-  KDL::JntSpaceInertiaMatrix out(chain_.getNrOfJoints());
+  KDL::JntSpaceInertiaMatrix out(static_cast<int>(chain_.getNrOfJoints()));
   if (dynamics_->JntToMass(joints(q), out) < 0) throw std::runtime_error("KDL: no mass matrix");
   return out.data;
 }
