@@ -52,7 +52,8 @@ Star random_star(std::mt19937& random) {
   Star star;
   star.set_arm(Eigen::Matrix<double, rme::kArmShared, 1>::Constant(0.04));
   star.set_tilt(0.01);  // of an arm of 15 kg
-  star.draw_payload(oracle::random_matrix(random, kInertial, 1), oracle::random_matrix(random, kInertial, kInertial));
+  const Matrix factor = oracle::random_matrix(random, kInertial, kInertial);  // before the mean, whatever the compiler
+  star.draw_payload(oracle::random_matrix(random, kInertial, 1), factor);
   for (int j = 0; j < kDofs; ++j) {
     star.joint(j).mean = oracle::random_matrix(random, kJointNuisances, 1);
     star.joint(j).slope = oracle::random_matrix(random, kShared, kJointNuisances);
