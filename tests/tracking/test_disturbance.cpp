@@ -51,7 +51,7 @@ Model random_model(std::mt19937& random, double shaken = 0, double loud = 1, Sen
 Star random_star(std::mt19937& random) {
   Star star;
   star.set_arm(Eigen::Matrix<double, rme::kArmShared, 1>::Constant(0.04));
-  star.set_tilt(0.01);  // of an arm of 15 kg
+  star.set_tilt(0.01);                                                        // of an arm of 15 kg
   const Matrix factor = oracle::random_matrix(random, kInertial, kInertial);  // before the mean, whatever the compiler
   star.draw_payload(oracle::random_matrix(random, kInertial, 1), factor);
   for (int j = 0; j < kDofs; ++j) {
