@@ -411,16 +411,19 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, cons
   for (int i = 0; i < kInertial; ++i) o.h[kPayload + i] = block_.regressor(j, i);
   for (int i = 0; i < 4; ++i) o.h[kPoured + i] = swings ? Scalar(0) : block_.regressor(j, i);
   for (int i = 0; swings && i < 3; ++i) o.h[kSwing + i] = block_.jacobian(i, j);
-  for (int k = 0; tilted_ && k < 2; ++k) {  // the product of tilt and weight, linearised about the load's
+  // The product of tilt and weight is linearised about the load's. What usual links say of the tilt is too rough to turn the
+  // weight by: there it only shows that the weight may be turned.
+  for (int k = 0; tilted_ && k < 2; ++k) {
     const auto& turns = turns_[static_cast<std::size_t>(k)];
+    const Scalar turned = block_.gravity_torque ? load.tilt[k] : Scalar(0);
     Scalar shown = Scalar(0);
     for (int i = 0; i < 4; ++i) {
       shown += turns(j, i) * load.held[i];
-      o.h[kPayload + i] += turns(j, i) * load.tilt[k];
-      if (!swings) o.h[kPoured + i] += turns(j, i) * load.tilt[k];
+      o.h[kPayload + i] += turns(j, i) * turned;
+      if (!swings) o.h[kPoured + i] += turns(j, i) * turned;
     }
     o.h[kTilt + k] += shown;
-    o.torque += shown * load.tilt[k];
+    o.torque += shown * turned;
   }
   o.noise = noise_.variance(j) + timing_noise_[j] + load.mass * load.mass * inertia_noise_[j];
   const JointFriction<Scalar>& friction = regime_.joint(j);
