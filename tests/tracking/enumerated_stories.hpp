@@ -232,7 +232,6 @@ class EnumeratedStories {
       return anything.observe(model, star, Disturbing::Hand, -std::numeric_limits<double>::infinity(), rated_, squared);
     }
     if (child.mode == Mode::Empty) {
-      if (parent.payload != 0) model.unload(child.star, parent.star.payload_mean(), parent.held_for);
       child.star.forget_payload();
       child.payload = 0;
       child.log_plausible = 0;
@@ -253,7 +252,7 @@ class EnumeratedStories {
       out = draw(model, child.star, &child.log_none, t.swings ? &child : nullptr);
     } else if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
-        if (child.payload == 0) model.suppose_hidden(child.star, prior_.com_mean);
+        if (child.payload == 0) child.pour.suppose_hidden(model, child.star, prior_.com_mean);
         child.log_none.reset();
         child.pour.begin(child.star, prior_, rated_, child.quick);
         if (child.payload == 0) {

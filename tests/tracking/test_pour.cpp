@@ -5,6 +5,7 @@
 
 #include "support/catch.hpp"
 #include "support/linear_algebra.hpp"
+#include "tracking/joint_scene.hpp"
 #include "tracking/random_star.hpp"
 
 namespace {
@@ -206,6 +207,30 @@ TEST_CASE("Pour: a steady flow is followed in mass and rate, into an empty hand,
     CHECK(std::abs(star.mass() - mass) < 4 * std::sqrt(star.mass_variance()));
     CHECK(pour.rate() == Approx(rate).margin(0.025));
   }
+}
+
+TEST_CASE("Pour: a payload that was hidden by the nuisances changes no prediction, and all the more the mass",
+          "[pour]") {
+  rme::testing::joints::Scene scene(rme::Sensing::JointFriction);
+  scene.block({0.3, -0.3});
+  auto star = scene.star;
+  Pour::suppose_hidden(scene.model, star, Eigen::Vector3d(0, 0, 0.1));
+  double precision = 0;
+  for (int j = 0; j < kDofs; ++j) {
+    const auto o = scene.model.observation(j, {});
+    const auto before = scene.star.predict(j, o), after = star.predict(j, o);
+    const double torque = o.h[kPayload] + 0.1 * o.h[kPayload + 3];
+    const auto V = scene.star.nuisance_covariance(j);
+    double able = 0;
+    for (int n = 0; n < rme::kJointNuisances; ++n) able += V(n, n) * o.c[n] * o.c[n];
+    precision += torque * torque / (able + o.noise);
+    CHECK(after.innovation == Approx(before.innovation));
+    // What the noise would have let through of a payload of this size.
+    const double through = torque * o.noise / (able + o.noise);
+    CHECK(after.variance == Approx(before.variance + through * through * star.mass_variance()));
+  }
+  REQUIRE(precision > 0);
+  CHECK(star.mass_variance() == Approx(9 / precision));
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 #pragma once
 /// A payload whose mass changes at an unknown, nearly constant rate.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
+#include <rme/tracking/joint_torque_model.hpp>
 #include <rme/tracking/payload_belief.hpp>
 #include <rme/tracking/rate.hpp>
 #include <rme/tracking/star_gaussian.hpp>
@@ -18,6 +21,35 @@ class Pour {
  public:
   using Star = StarGaussian<Scalar, Dofs>;  ///< state of the filter
 
+  /// A payload that is taken up slowly is taken for friction and offset at first. Supposes that the empty hand of `star`
+  /// already holds as much as they can have hidden so far.
+  /// @param model  of the arm
+  /// @param star   state, with an empty hand
+  /// @param com    where its centre of mass is expected [m], end-effector axes
+  static void suppose_hidden(const JointTorqueModel<Scalar, Dofs>& model, Star& star,
+                             const Vector3<Scalar>& com) noexcept {
+    InertialVector<Scalar> along = InertialVector<Scalar>::Zero();
+    along[0] = 1;
+    for (int i = 0; i < 3; ++i) along[1 + i] = com[i];
+    std::array<typename Star::Beta, static_cast<std::size_t>(Dofs)> shift;
+    Scalar precision = Scalar(0);
+    for (int j = 0; j < Dofs; ++j) {
+      const JointObservation<Scalar> o = model.observation(j, Load<Scalar, Dofs>());
+      Scalar torque = Scalar(0), able = Scalar(0);
+      for (int i = 0; i < 4; ++i) torque += model.block().regressor(j, i) * along[i];
+      auto& absorbed = shift[static_cast<std::size_t>(j)];
+      const auto V = star.nuisance_covariance(j);
+      for (int n = 0; n < kJointNuisances; ++n) {
+        absorbed[n] = V(n, n) * o.c[n];
+        able += absorbed[n] * o.c[n];
+      }
+      absorbed *= -torque / (able + o.noise);
+      precision += torque * torque / (able + o.noise);
+    }
+    const Scalar mass = Scalar(kHidden) / std::sqrt(std::max(precision, Scalar(1e-6)));
+    for (auto& s : shift) s *= mass;
+    star.suppose_payload(detail::scaled(mass, along), shift);
+  }
   /// A pour that nothing is known of.
   /// @param star           state; from here on it has what is poured as unknowns of its own
   /// @param prior          of what may be held
@@ -65,33 +97,11 @@ class Pour {
   Scalar rate() const noexcept { return rate_.mean[0]; }  ///< of the mass [kg/s]
   /// What has been poured so far becomes part of the payload's phi. Each beta_j keeps its moments with it.
   static void end(Star& star) noexcept {
-    if (star.last() != Star::Last::Poured) return;
-    const InertialVector<Scalar> phi = star.payload_mean();
-    SharedVector<Scalar> mean = star.mean();
-    for (int i = 0; i < kInertial; ++i) mean[kPayload + i] = phi[i];
-    for (int i = 0; i < 4; ++i) mean[kPoured + i] = Scalar(0);
-    SharedMatrix<Scalar> sum = star.factor();
-    for (int k = 0; k < kShared; ++k) {
-      for (int i = 0; i < 4; ++i) {
-        sum(kPayload + i, k) += sum(kPoured + i, k);
-        sum(kPoured + i, k) = Scalar(0);
-      }
-    }
-    using Slope = typename Star::Slope;
-    const auto added = [](const Slope& cross, const Slope&) {
-      Slope out = cross;
-      for (int n = 0; n < kJointNuisances; ++n) {
-        for (int i = 0; i < 4; ++i) {
-          out(kPayload + i, n) += cross(kPoured + i, n);
-          out(kPoured + i, n) = Scalar(0);
-        }
-      }
-      return out;
-    };
-    if (star.restate(mean, detail::outer_square(sum), added)) star.retract();
+    if (star.last() == Star::Last::Poured) star.merge_poured();
   }
 
  private:
+  static constexpr double kHidden = 3;   // standard deviations of all joints together that may hide a payload
   static constexpr double kRate = 0.03;  // standard deviation of the rate of mass per rated payload [1/s]
   static constexpr double kQuickRate = 1, kQuickTime = 0.5;  // the same of what is taken up quickly
   static constexpr double kRateTime = 3;                     // correlation time of the rate [s]

@@ -19,9 +19,9 @@ namespace rme {
 ///     x ~ N(mean, F F^T),   beta_j | x ~ N(b_j + B_j x, V_j)
 ///
 /// A joint's torque depends only on x and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
-/// cost of a dense covariance. forget_payload(), widen_arm() and their like would couple the joints. Each of them gives the
-/// nearest star instead, which has the right mean and covariance of every pair (x, beta_j) (docs/theory.md, "The star"). So
-/// does restate(), from which pours and swings (Pour, Swing) make what changes their own part of x.
+/// cost of a dense covariance. To forget entries of x, or to add noise to them, would couple the joints. forget_payload(),
+/// add() and their like give the nearest star instead, which has the right mean and covariance of every pair (x, beta_j)
+/// (docs/theory.md, "The star").
 ///
 /// F is a square root of the covariance of x, and is updated as such (Potter's form: Maybeck, Stochastic Models,
 /// Estimation, and Control 1, 7.3). So rounding cannot make the covariance indefinite, even in float. An empty hand has
@@ -196,11 +196,6 @@ class StarGaussian {
     size_ = kShared;
     last_ = last;
   }
-  /// The last entries of x, zero already, are zero for certain. Something is held.
-  void retract() noexcept {
-    size_ = kHeldShared;
-    last_ = Last::Nothing;
-  }
   /// Multiplies the last entries of x by `factor`, which is not 0.
   void scale_last(Scalar factor) noexcept {
     for (int i = kHeldShared; i < kShared; ++i) {
@@ -215,52 +210,62 @@ class StarGaussian {
     mean_ = mean;
     factor_ = factor;
   }
-  /// Gives x the mean `mean` and the covariance `total`, and each beta_j its moments with the new x.
-  /// @param mean     of the new x
-  /// @param total    its covariance
-  /// @param moments  from cov(x, beta_j) before and B_j^T, cov(x, beta_j) after
-  /// @return false if `total` is not finite; then nothing has changed
-  template <typename Moments>
-  bool restate(const X& mean, const XMatrix& total, const Moments& moments) noexcept {
-    const Factor factor(total);
-    if (!factor.finite()) return false;
-    const XMatrix before = covariance(), inverse = factor.inverse_lower();
-    for (int j = 0; j < Dofs; ++j) {
-      Joint& joint = this->joint(j);
-      const Slope cross = detail::product(before, joint.slope);
-      BetaMatrix V = joint.covariance;
-      V += detail::transposed_product(joint.slope, cross);
-      joint = given_shared<kShared>(inverse, mean, nuisance_mean(j), moments(cross, joint.slope), V);
+  /// Adds d to `Size` entries of x, the first of which is `First`. Each beta_j keeps its moments with the old x (docs/theory.md
+  /// (T70)).
+  /// @param mean        of d
+  /// @param covariance  of d
+  /// @param cross       cov(x, d), x before; beta_j depends on d only through x
+  /// @return false if the new covariance of x is not finite; then nothing has changed
+  template <int First, int Size>
+  bool add(const Eigen::Matrix<Scalar, Size, 1>& mean, const Eigen::Matrix<Scalar, Size, Size>& covariance,
+           const Eigen::Matrix<Scalar, kShared, Size>& cross) noexcept {
+    XMatrix total = this->covariance();
+    Eigen::Matrix<Scalar, kShared, Size> shown = cross;  // cov(x, d), x afterwards
+    for (int k = 0; k < Size; ++k) {
+      for (int i = 0; i < kShared; ++i) total(i, First + k) += cross(i, k);
+      for (int i = 0; i < Size; ++i) shown(First + i, k) += covariance(i, k);
+      for (int i = 0; i < kShared; ++i) total(First + k, i) += shown(i, k);
     }
+    const SingularCholesky<Scalar, kShared> factor(total);
+    if (!factor.finite()) return false;
     factor_ = factor.lower();
-    mean_ = mean;
+    for (int i = 0; i < Size; ++i) mean_[First + i] += mean[i];
+    // E[d | x] = at_zero + S^T x, and C = cov(d | x); beta_j depends on x - d as it did on x.
+    const Eigen::Matrix<Scalar, kShared, Size> S = factor.solve(shown);
+    Eigen::Matrix<Scalar, Size, Size> C = covariance;
+    detail::add_scaled(C, Scalar(-1), Eigen::Matrix<Scalar, Size, Size>(detail::transposed_product(shown, S)));
+    Eigen::Matrix<Scalar, Size, 1> at_zero = mean;
+    detail::add_scaled(at_zero, Scalar(-1), Eigen::Matrix<Scalar, Size, 1>(detail::transposed_product(S, mean_)));
+    for (Joint& joint : joints_) {
+      Eigen::Matrix<Scalar, Size, kJointNuisances> on_d;
+      for (int n = 0; n < kJointNuisances; ++n)
+        for (int i = 0; i < Size; ++i) on_d(i, n) = -joint.slope(First + i, n);
+      joint.slope += detail::product(S, on_d);
+      absorb(joint, on_d, at_zero, C);
+    }
     return true;
   }
 
   /// Marginalises the payload, with what was poured: the hand is empty afterwards, and everything else keeps its marginal
   /// distribution. A swing has to be over (Swing::end()).
   void forget_payload() noexcept {
-    if (empty()) return;
-    Eigen::Matrix<Scalar, kArmShared, kShared> rows;  // of F: what belongs to the arm
-    for (int k = 0; k < kShared; ++k)
-      for (int i = 0; i < kArmShared; ++i) rows(i, k) = factor_(i, k);
-    const SingularCholesky<Scalar, kArmShared> factor(detail::outer_square(rows));
-    if (!factor.finite()) return;
-    const Eigen::Matrix<Scalar, kArmShared, kArmShared> inverse = factor.inverse_lower();
-    Eigen::Matrix<Scalar, kArmShared, 1> mean;
-    for (int i = 0; i < kArmShared; ++i) mean[i] = mean_[i];
-    for (int j = 0; j < Dofs; ++j) {
-      Joint& joint = this->joint(j);
-      const Slope spread = detail::transposed_product(factor_, joint.slope);
-      BetaMatrix V = joint.covariance;
-      V += detail::transposed_product(spread, spread);
-      joint = given_shared<kArmShared>(inverse, mean, nuisance_mean(j), detail::product(rows, spread), V);
+    if (last_ != Last::Nothing) forget_last();
+    if (!empty() && marginalise<kArmShared, kHeldShared>()) size_ = kArmShared;
+  }
+  /// What has been poured becomes part of the payload's phi.
+  void merge_poured() noexcept {
+    for (int i = 0; i < 4; ++i) {
+      mean_[kPayload + i] += mean_[kPoured + i];
+      for (int k = 0; k < kShared; ++k) factor_(kPayload + i, k) += factor_(kPoured + i, k);
+      for (Joint& joint : joints_)
+        for (int n = 0; n < kJointNuisances; ++n) joint.slope(kPoured + i, n) -= joint.slope(kPayload + i, n);
     }
-    factor_.setZero();
-    for (int k = 0; k < kArmShared; ++k)
-      for (int i = k; i < kArmShared; ++i) factor_(i, k) = factor.lower()(i, k);
-    for (int i = kArmShared; i < kShared; ++i) mean_[i] = Scalar(0);
-    size_ = kArmShared;
+    forget_last();
+  }
+  /// Marginalises the last entries of x: they are zero afterwards.
+  void forget_last() noexcept {
+    if (!marginalise<kHeldShared, kShared>()) return;
+    size_ = kHeldShared;
     last_ = Last::Nothing;
   }
   /// Puts a payload phi ~ N(mean, factor factor^T), independent of everything else, in place of the present one.
@@ -310,7 +315,7 @@ class StarGaussian {
       for (Joint& joint : joints_)
         for (int n = 0; n < kJointNuisances; ++n) joint.slope(i, n) = Scalar(0);
     }
-    if (const Factor factor(arm); factor.finite()) factor_ = factor.lower();
+    if (const SingularCholesky<Scalar, kShared> factor(arm); factor.finite()) factor_ = factor.lower();
     size_ = kArmShared;
     return log_density;
   }
@@ -359,24 +364,24 @@ class StarGaussian {
   /// Adds independent noise to what belongs to the arm. Each beta_j keeps its moments with x as they were.
   /// @param variance  of the noise, in the order of Shared, >= 0
   void widen_arm(const Eigen::Matrix<Scalar, kArmShared, 1>& variance) noexcept {
-    XMatrix total = covariance();
-    for (int i = 0; i < kArmShared; ++i) total(i, i) += variance[i];
-    restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
+    Eigen::Matrix<Scalar, kArmShared, kArmShared> noise = Eigen::Matrix<Scalar, kArmShared, kArmShared>::Zero();
+    for (int i = 0; i < kArmShared; ++i) noise(i, i) = variance[i];
+    add<0, kArmShared>(Eigen::Matrix<Scalar, kArmShared, 1>::Zero(), noise,
+                       Eigen::Matrix<Scalar, kShared, kArmShared>::Zero());
   }
 
   /// Adds a relative error to what is known of the payload: phi becomes (1 + e) phi, e independent of everything else. Each
   /// beta_j keeps its moments with the old x.
   /// @param square  E[e^2]
   void widen_payload(Scalar square) noexcept {
-    XMatrix total = covariance();
-    X along = X::Zero();
-    for (int i = kPayload; i < kPayload + kInertial; ++i) along[i] = mean_[i];
-    detail::add_outer(total, detail::scaled(square, along), along);
-    restate(mean_, total, [](const Slope& cross, const Slope&) { return cross; });
+    InertialVector<Scalar> phi;
+    for (int i = 0; i < kInertial; ++i) phi[i] = mean_[kPayload + i];
+    InertialMatrix<Scalar> noise = InertialMatrix<Scalar>::Zero();
+    detail::add_outer(noise, detail::scaled(square, phi), phi);
+    add<kPayload, kInertial>(InertialVector<Scalar>::Zero(), noise, Eigen::Matrix<Scalar, kShared, kInertial>::Zero());
   }
 
  private:
-  using Factor = SingularCholesky<Scalar, kShared>;
   /// Whether something has been poured into entry i of phi.
   bool poured(int i) const noexcept { return i < 4 && last_ == Last::Poured; }
   template <int Size>
@@ -410,28 +415,58 @@ class StarGaussian {
     for (int k = 0; k < Size; ++k) Head<Size>(factor_.data() + k * kShared) -= (shrink * p.spread[k]) * covariance_row;
   }
 
-  /// Gaussian of a joint's nuisances given the first Size entries of x, from the moments of both.
-  /// @param inverse         L^-1 of cov(x) = L L^T
-  /// @param x               E[x]
-  /// @param mean, cross, V  E[beta], cov(x, beta), cov(beta)
-  template <int Size>
-  static Joint given_shared(const Eigen::Matrix<Scalar, Size, Size>& inverse, const Eigen::Matrix<Scalar, Size, 1>& x,
-                            const Beta& mean, const Eigen::Matrix<Scalar, Size, kJointNuisances>& cross,
-                            const BetaMatrix& V) noexcept {
-    const Eigen::Matrix<Scalar, Size, kJointNuisances> white = detail::product(inverse, cross);
-    const Eigen::Matrix<Scalar, Size, kJointNuisances> slope = detail::transposed_product(inverse, white);
-    Joint joint{mean, Slope::Zero(), V};
-    for (int i = 0; i < kJointNuisances; ++i)
-      for (int k = 0; k < Size; ++k) joint.slope(k, i) = slope(k, i);
-    detail::add_scaled(joint.mean, Scalar(-1), detail::transposed_product(slope, x));
-    for (int i = 0; i < kJointNuisances; ++i) {
-      for (int k = 0; k <= i; ++k) {
-        const Scalar shown = detail::column(white, i).dot(detail::column(white, k));
-        joint.covariance(i, k) = joint.covariance(k, i) = Scalar(0.5) * (V(i, k) + V(k, i)) - shown;
-      }
-      joint.covariance(i, i) = std::max(joint.covariance(i, i), Scalar(0));
+  /// Marginalises the entries of x from Kept to Size - 1, which are zero afterwards, as all after them (docs/theory.md (T70)).
+  /// @return false if the covariance is not finite; then nothing has changed
+  template <int Kept, int Size>
+  bool marginalise() noexcept {
+    constexpr int kGone = Size - Kept;
+    Eigen::Matrix<Scalar, kShared, Kept> kept;  // rows of F, as columns
+    Eigen::Matrix<Scalar, kShared, kGone> gone;
+    for (int k = 0; k < kShared; ++k) {
+      for (int i = 0; i < Kept; ++i) kept(k, i) = factor_(i, k);
+      for (int i = 0; i < kGone; ++i) gone(k, i) = factor_(Kept + i, k);
     }
-    return joint;
+    const SingularCholesky<Scalar, Kept> factor(detail::transposed_product(kept, kept));
+    if (!factor.finite()) return false;
+    // E[those that go | those that stay] = at_zero + S^T those that stay, and C = cov(those that go | those that stay).
+    const Eigen::Matrix<Scalar, Kept, kGone> S = factor.solve(detail::transposed_product(kept, gone));
+    detail::add_scaled(gone, Scalar(-1), Eigen::Matrix<Scalar, kShared, kGone>(detail::product(kept, S)));
+    const Eigen::Matrix<Scalar, kGone, kGone> C = detail::transposed_product(gone, gone);
+    Eigen::Matrix<Scalar, kGone, 1> at_zero;
+    for (int k = 0; k < kGone; ++k) {
+      at_zero[k] = mean_[Kept + k];
+      for (int i = 0; i < Kept; ++i) at_zero[k] -= S(i, k) * mean_[i];
+      mean_[Kept + k] = Scalar(0);
+    }
+    for (Joint& joint : joints_) {
+      Eigen::Matrix<Scalar, kGone, kJointNuisances> on_gone;
+      for (int n = 0; n < kJointNuisances; ++n)
+        for (int k = 0; k < kGone; ++k) on_gone(k, n) = joint.slope(Kept + k, n);
+      const Eigen::Matrix<Scalar, Kept, kJointNuisances> through = detail::product(S, on_gone);
+      for (int n = 0; n < kJointNuisances; ++n) {
+        for (int i = 0; i < Kept; ++i) joint.slope(i, n) += through(i, n);
+        for (int k = 0; k < kGone; ++k) joint.slope(Kept + k, n) = Scalar(0);
+      }
+      absorb(joint, on_gone, at_zero, C);
+    }
+    factor_.setZero();
+    for (int k = 0; k < Kept; ++k)
+      for (int i = k; i < Kept; ++i) factor_(i, k) = factor.lower()(i, k);
+    return true;
+  }
+  /// Adds slope^T d to a joint's nuisances, where d ~ N(mean, covariance).
+  template <int Size>
+  static void absorb(Joint& joint, const Eigen::Matrix<Scalar, Size, kJointNuisances>& slope,
+                     const Eigen::Matrix<Scalar, Size, 1>& mean,
+                     const Eigen::Matrix<Scalar, Size, Size>& covariance) noexcept {
+    joint.mean += detail::transposed_product(slope, mean);
+    const Eigen::Matrix<Scalar, Size, kJointNuisances> spread = detail::product(covariance, slope);
+    BetaMatrix& V = joint.covariance;
+    for (int i = 0; i < kJointNuisances; ++i) {
+      for (int k = 0; k <= i; ++k)
+        V(i, k) = V(k, i) = Scalar(0.5) * (V(i, k) + V(k, i)) + detail::column(slope, i).dot(detail::column(spread, k));
+      V(i, i) = std::max(V(i, i), Scalar(0));
+    }
   }
 
   X mean_ = X::Zero();

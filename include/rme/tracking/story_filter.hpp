@@ -102,7 +102,6 @@ class StoryFilter {
     }
     if (child.mode == Mode::Empty) {
       child.log_none.reset();
-      if (parent.payload != 0) model_.unload(child.star, parent.star.payload_mean(), parent.held_for);
       child.star.forget_payload();
       child.payload = 0;
       child.log_plausible = Scalar(0);
@@ -113,7 +112,7 @@ class StoryFilter {
     if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
         if (child.payload == 0 && !model_.exchange_likely())  // if the host says so, it begins now
-          model_.suppose_hidden(child.star, payload_.com_mean);
+          child.pour.suppose_hidden(model_, child.star, payload_.com_mean);
         child.log_none.reset();
         child.pour.begin(child.star, payload_, rated_, child.quick);
         if (child.payload == 0) {

@@ -100,20 +100,10 @@ class Swing {
       for (int k = 0; k < kShared; ++k) factor(kTool + i, k) = Scalar(0);
     }
     star.set_shared(mean, factor);
-    for (int i = kSwing; i < kSwing + 3; ++i) {
-      mean[i] = Scalar(0);
-      for (int k = 0; k < kShared; ++k) factor(i, k) = Scalar(0);
-    }
-    SharedMatrix<Scalar> total = detail::outer_square(factor);
-    for (int i = 0; i < 4; ++i) total(kTool + i, kTool + i) += tool_variance_[i];
-    using Slope = typename Star::Slope;
-    star.restate(mean, total, [](const Slope& cross, const Slope&) {
-      Slope left = cross;
-      for (int n = 0; n < kJointNuisances; ++n)
-        for (int i = kSwing; i < kSwing + 3; ++i) left(i, n) = Scalar(0);
-      return left;
-    });
-    star.retract();
+    star.forget_last();
+    Eigen::Matrix<Scalar, kArmShared, 1> variance = Eigen::Matrix<Scalar, kArmShared, 1>::Zero();
+    for (int i = 0; i < 4; ++i) variance[kTool + i] = tool_variance_[i];
+    star.widen_arm(variance);
   }
   /// Mean of the tool error, (m, m r), as it was before the swing [kg, kg m].
   const Vector4<Scalar>& tool_mean() const noexcept { return tool_mean_; }
