@@ -60,7 +60,7 @@ class NuisanceProcess {
   /// at most the Coulomb friction that motion has shown; what the kind adds to it is in proportion to the residual.
   Scalar stiction_variance(const Star& star, int j, const Noise& noise) const noexcept {
     const Scalar off = Scalar(kStictionShare) * arm_.coulomb[j];
-    const Scalar mean = star.nuisance_mean(j)[kCoulomb];
+    const Scalar mean = star.nuisance_mean(j, kCoulomb);
     const Scalar shown = mean * mean + star.joint(j).covariance(kCoulomb, kCoulomb);  // E[Coulomb^2]
     return std::min(off * off, shown) + static_cast<Scalar>(kind_.stiction) * noise.residual_variance(j);
   }

@@ -98,6 +98,10 @@ class StarGaussian {
     mean += detail::transposed_product(joint(j).slope, mean_);
     return mean;
   }
+  /// The same of one nuisance.
+  Scalar nuisance_mean(int j, Nuisance n) const noexcept {
+    return joint(j).mean[n] + detail::column(joint(j).slope, n).dot(detail::column(mean_, 0));
+  }
   /// Marginal covariance of beta_j.
   BetaMatrix nuisance_covariance(int j) const noexcept {
     BetaMatrix V = joint(j).covariance;
@@ -211,7 +215,7 @@ class StarGaussian {
     factor_ = factor;
   }
   /// Adds d to `Size` entries of x, the first of which is `First`. Each beta_j keeps its moments with the old x (docs/theory.md
-  /// (T70)).
+  /// (T71)).
   /// @param mean        of d
   /// @param covariance  of d
   /// @param cross       cov(x, d), x before; beta_j depends on d only through x
@@ -250,7 +254,7 @@ class StarGaussian {
   /// distribution. A swing has to be over (Swing::end()).
   void forget_payload() noexcept {
     if (last_ != Last::Nothing) forget_last();
-    if (!empty() && marginalise<kArmShared, kHeldShared>()) size_ = kArmShared;
+    if (!empty() && marginalise<kArmShared, kInertial>()) size_ = kArmShared;
   }
   /// What has been poured becomes part of the payload's phi.
   void merge_poured() noexcept {
@@ -264,7 +268,7 @@ class StarGaussian {
   }
   /// Marginalises the last entries of x: they are zero afterwards.
   void forget_last() noexcept {
-    if (!marginalise<kHeldShared, kShared>()) return;
+    if (!marginalise<kHeldShared, kShared - kHeldShared>()) return;
     size_ = kHeldShared;
     last_ = Last::Nothing;
   }
@@ -415,37 +419,37 @@ class StarGaussian {
     for (int k = 0; k < Size; ++k) Head<Size>(factor_.data() + k * kShared) -= (shrink * p.spread[k]) * covariance_row;
   }
 
-  /// Marginalises the entries of x from Kept to Size - 1, which are zero afterwards, as all after them (docs/theory.md (T70)).
+  /// Marginalises the `Gone` entries of x after the first `Kept`, which are zero afterwards, as all after them are already
+  /// (docs/theory.md (T71)).
   /// @return false if the covariance is not finite; then nothing has changed
-  template <int Kept, int Size>
+  template <int Kept, int Gone>
   bool marginalise() noexcept {
-    constexpr int kGone = Size - Kept;
     Eigen::Matrix<Scalar, kShared, Kept> kept;  // rows of F, as columns
-    Eigen::Matrix<Scalar, kShared, kGone> gone;
+    Eigen::Matrix<Scalar, kShared, Gone> gone;
     for (int k = 0; k < kShared; ++k) {
       for (int i = 0; i < Kept; ++i) kept(k, i) = factor_(i, k);
-      for (int i = 0; i < kGone; ++i) gone(k, i) = factor_(Kept + i, k);
+      for (int i = 0; i < Gone; ++i) gone(k, i) = factor_(Kept + i, k);
     }
     const SingularCholesky<Scalar, Kept> factor(detail::transposed_product(kept, kept));
     if (!factor.finite()) return false;
     // E[those that go | those that stay] = at_zero + S^T those that stay, and C = cov(those that go | those that stay).
-    const Eigen::Matrix<Scalar, Kept, kGone> S = factor.solve(detail::transposed_product(kept, gone));
-    detail::add_scaled(gone, Scalar(-1), Eigen::Matrix<Scalar, kShared, kGone>(detail::product(kept, S)));
-    const Eigen::Matrix<Scalar, kGone, kGone> C = detail::transposed_product(gone, gone);
-    Eigen::Matrix<Scalar, kGone, 1> at_zero;
-    for (int k = 0; k < kGone; ++k) {
+    const Eigen::Matrix<Scalar, Kept, Gone> S = factor.solve(detail::transposed_product(kept, gone));
+    detail::add_scaled(gone, Scalar(-1), Eigen::Matrix<Scalar, kShared, Gone>(detail::product(kept, S)));
+    const Eigen::Matrix<Scalar, Gone, Gone> C = detail::transposed_product(gone, gone);
+    Eigen::Matrix<Scalar, Gone, 1> at_zero;
+    for (int k = 0; k < Gone; ++k) {
       at_zero[k] = mean_[Kept + k];
       for (int i = 0; i < Kept; ++i) at_zero[k] -= S(i, k) * mean_[i];
       mean_[Kept + k] = Scalar(0);
     }
     for (Joint& joint : joints_) {
-      Eigen::Matrix<Scalar, kGone, kJointNuisances> on_gone;
+      Eigen::Matrix<Scalar, Gone, kJointNuisances> on_gone;
       for (int n = 0; n < kJointNuisances; ++n)
-        for (int k = 0; k < kGone; ++k) on_gone(k, n) = joint.slope(Kept + k, n);
+        for (int k = 0; k < Gone; ++k) on_gone(k, n) = joint.slope(Kept + k, n);
       const Eigen::Matrix<Scalar, Kept, kJointNuisances> through = detail::product(S, on_gone);
       for (int n = 0; n < kJointNuisances; ++n) {
         for (int i = 0; i < Kept; ++i) joint.slope(i, n) += through(i, n);
-        for (int k = 0; k < kGone; ++k) joint.slope(Kept + k, n) = Scalar(0);
+        for (int k = 0; k < Gone; ++k) joint.slope(Kept + k, n) = Scalar(0);
       }
       absorb(joint, on_gone, at_zero, C);
     }
