@@ -72,16 +72,9 @@ TEST_CASE("JointTorqueModel: a block half as long as usual has twice the noise",
 TEST_CASE("JointTorqueModel: a joint that starts or turns back within a block has half its friction more noise",
           "[joint_torque]") {
   Scene scene(Sensing::JointFriction);
-  Block block;
-  block.duration = kPeriod;
-  block.samples = 20;
-  block.tau.setZero();
-  block.regressor.setZero();
-  block.jacobian.setZero();
+  Block block = at_rest();
   block.velocity << 0, 0.3;
   block.velocities << 0.3, 0.3, -0.3, -0.3, 0.3, 0.3, 0.3, 0.3;
-  block.torque_step.setZero();
-  block.velocity_noise.setZero();
   scene.regime.update(block);
   scene.model.begin(block, scene.regime);
   CHECK(scene.model.observation(0, {}).noise - scene.model.noise().variance(0) ==
