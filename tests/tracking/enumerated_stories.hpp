@@ -232,6 +232,7 @@ class EnumeratedStories {
       return anything.observe(model, star, Disturbing::Hand, -std::numeric_limits<double>::infinity(), rated_, squared);
     }
     if (child.mode == Mode::Empty) {
+      if (parent.payload != 0) model.unload(child.star, parent.star.payload_mean(), parent.held_for);
       child.star.forget_payload();
       child.payload = 0;
       child.log_plausible = 0;

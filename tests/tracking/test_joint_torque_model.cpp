@@ -204,6 +204,26 @@ TEST_CASE("JointTorqueModel: the weight of what is held acts along the tilted gr
   }
 }
 
+TEST_CASE("JointTorqueModel: after a removal the offsets are uncertain by what the gain has drifted since the pick-up",
+          "[joint_torque]") {
+  Scene scene(Sensing::LinkSide);
+  scene.block(Joints::Zero());
+  rme::InertialVector<double> held = rme::InertialVector<double>::Zero();
+  held[3] = 0.2;
+  auto star = scene.star;
+  scene.model.unload(star, held, 25);
+  const auto grown = [&](int j) {
+    return star.joint(j).covariance(rme::kOffset, rme::kOffset) -
+           scene.star.joint(j).covariance(rme::kOffset, rme::kOffset);
+  };
+  CHECK(grown(0) == Approx(0).margin(1e-15));
+  CHECK(grown(1) == Approx(std::pow(0.02 * 0.7 * 0.2, 2)));  // 0.004 per square root of a second
+  held[3] = 1e6;                                             // no more than the prior
+  star = scene.star;
+  scene.model.unload(star, held, 25);
+  CHECK(grown(1) == Approx(kArm.offset[1] * kArm.offset[1]));
+}
+
 TEST_CASE("JointTorqueModel: an error of a joint's gain is a share of what the payload makes the joint bear",
           "[joint_torque]") {
   Scene scene(Sensing::LinkSide);

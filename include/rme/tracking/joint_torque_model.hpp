@@ -92,6 +92,19 @@ class JointTorqueModel {
     const Torque unlike = unlike_variance(star);
     for (int j = 0; j < Dofs; ++j) star.joint(j).covariance(kResidual, kResidual) += unlike[j];
   }
+  /// A payload has been removed. While it was held, a drift of the torque's gain was taken for one of the offset.
+  /// @param star      state
+  /// @param held      its phi
+  /// @param held_for  for how long [s]
+  void unload(Star& star, const InertialVector<Scalar>& held, Scalar held_for) const noexcept {
+    const Scalar drift = Scalar(kGainDrift) * std::sqrt(held_for);
+    for (int j = 0; j < Dofs; ++j) {
+      Scalar torque = Scalar(0);
+      for (int i = 0; i < 4; ++i) torque += block_.regressor(j, i) * held[i];
+      const Scalar off = std::min(drift * std::abs(torque), arm().offset[j]);
+      star.joint(j).covariance(kOffset, kOffset) += off * off;
+    }
+  }
   /// The torque sensors have been zeroed in this pose, whatever the hand holds.
   void zero(Star& star) const noexcept {
     const Load<Scalar, Dofs> borne = load(star);
@@ -148,6 +161,7 @@ class JointTorqueModel {
   }  ///< with the friction that the kind sees
 
  private:
+  static constexpr double kGainDrift = 0.004;  // random walk of a torque sensor's gain [1/s^(1/2)]
   static constexpr double kToolArm = 0.1;      // spread of the tool error's first moment, per kg of its mass [m]
 
   /// Variance of what a tilt's torque has wrong if the links are usual ones [(N m)^2].

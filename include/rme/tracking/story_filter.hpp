@@ -102,6 +102,7 @@ class StoryFilter {
     }
     if (child.mode == Mode::Empty) {
       child.log_none.reset();
+      if (parent.payload != 0) model_.unload(child.star, parent.star.payload_mean(), parent.held_for);
       child.star.forget_payload();
       child.payload = 0;
       child.log_plausible = Scalar(0);
