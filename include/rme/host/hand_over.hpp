@@ -69,13 +69,12 @@ JointVector<Scalar, Dofs> largest_torque_error(const PayloadGaussian<Scalar>& pa
   using std::sqrt;
   // sqrt of the 95 % point of chi^2 with four degrees of freedom: |(a . x)| <= kBound sqrt(a^T P a) for all a at once.
   constexpr double kBound = 3.0802;
-  Matrix4<Scalar> derivative = Matrix4<Scalar>::Identity();  // of (m, m r) by (m, r)
+  Matrix4<Scalar> derivative = Matrix4<Scalar>::Identity(), transposed = derivative;  // of (m, m r) by (m, r)
   for (int i = 1; i < 4; ++i) {
-    derivative(i, 0) = payload.mean[i];
-    derivative(i, i) = payload.mean[0];
+    derivative(i, 0) = transposed(0, i) = payload.mean[i];
+    derivative(i, i) = transposed(i, i) = payload.mean[0];
   }
-  const Matrix4<Scalar> P =
-      detail::product(detail::product(derivative, payload.covariance), Matrix4<Scalar>(derivative.transpose()));
+  const Matrix4<Scalar> P = detail::product(detail::product(derivative, payload.covariance), transposed);
   // About the point c of the hand, errors of mass and of first moment are uncorrelated.
   const Scalar variance = std::max(P(0, 0), Scalar(0));
   Vector3<Scalar> c = Vector3<Scalar>::Zero();

@@ -22,7 +22,7 @@ struct JointFriction {
 };
 
 /// Distinguishes resting joints from moving ones (docs/theory.md, "Friction"). A joint moves in a quarter of a block if
-/// its mean dq there exceeds 1e-4 rad/s and 4.5 standard deviations of its noise. A joint whose motion cannot be
+/// its mean dq there exceeds 1e-4 rad/s and six standard deviations of its noise. A joint whose motion cannot be
 /// distinguished from noise counts as resting. The opposite mistake would be worse: if noise is taken for motion, the
 /// friction does not change with the supposed direction, and is learned to be zero. No call allocates.
 template <typename Scalar, int Dofs>
@@ -70,7 +70,7 @@ class FrictionRegime {
  private:
   static constexpr double kMoves = 1e-4;      // smallest velocity of a moving joint [rad/s]
   static constexpr double kArmMoves = 1e-3;   // smallest norm of dq of a moving arm [rad/s]
-  static constexpr double kDeviations = 4.5;  // by noise alone, seven joints at rest exceed them once in two minutes
+  static constexpr double kDeviations = 6;    // by noise alone, seven joints at rest exceed them once in a hundred hours
   std::array<JointFriction<Scalar>, static_cast<std::size_t>(Dofs)> joints_{};
   std::array<bool, static_cast<std::size_t>(Dofs)> joint_rests_{};
   bool arm_moves_ = false;
