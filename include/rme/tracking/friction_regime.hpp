@@ -68,9 +68,9 @@ class FrictionRegime {
   FrictionRegime() noexcept { joint_rests_.fill(true); }
 
  private:
-  static constexpr double kMoves = 1e-4;      // smallest velocity of a moving joint [rad/s]
-  static constexpr double kArmMoves = 1e-3;   // smallest norm of dq of a moving arm [rad/s]
-  static constexpr double kDeviations = 6;    // by noise alone, seven joints at rest exceed them once in a hundred hours
+  static constexpr double kMoves = 1e-4;     // smallest velocity of a moving joint [rad/s]
+  static constexpr double kArmMoves = 1e-3;  // smallest norm of dq of a moving arm [rad/s]
+  static constexpr double kDeviations = 6;   // by noise alone, seven joints at rest exceed them once in a hundred hours
   std::array<JointFriction<Scalar>, static_cast<std::size_t>(Dofs)> joints_{};
   std::array<bool, static_cast<std::size_t>(Dofs)> joint_rests_{};
   bool arm_moves_ = false;
