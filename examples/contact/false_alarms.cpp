@@ -2,7 +2,8 @@
 //
 // A Panda (carrying_arm.hpp) moves between random poses, and rests in between for up to 4 s. Objects of 0.1 to 2.5 kg, at
 // most two at a time, come and go at once or within seconds, at any time of a move. Nothing touches the arm. Every contact
-// is counted that is noticed later than 1 s after a change of the payload: until then, it is the change.
+// is counted that is noticed later than 1 s after a change of the payload: until then, it is the change. And each second that
+// is later than 2 s after one, the mass that is believed to be held is compared with the true one.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,10 +23,13 @@ using Eigen::Vector3d;
 
 constexpr double kPeriod = 1e-3, kStart = 2;  // [s]
 constexpr double kChange = 1;                 // how long after a change of the payload a contact is that change [s]
+constexpr double kKnown = 2;                  // how long after a change the payload is asked for [s]
+constexpr double kLost = 0.1, kSure = 4;      // an error beyond both is a wrong belief: [kg], and standard deviations
+constexpr double kLongest = 10;               // how long one may last [s]
 
 constexpr const char* kUsage = R"(usage: rme_false_alarms [options]
 
-Prints how often a contact is noticed while nothing touches the arm.
+Prints how often a contact is noticed while nothing touches the arm, and how far the believed mass is off meanwhile.
 
   --hours H     of simulated operation (default 0.1)
   --rate R      EstimatorConfig::contact_false_alarms [1/h] (default 0.1)
@@ -36,7 +40,7 @@ Prints how often a contact is noticed while nothing touches the arm.
   --help        this text
 
 Exit codes: 0 done; 1 more false alarms than stated, by more than three standard deviations of their count and by more
-than one; 2 unusable arguments.
+than one, or the mass was off by more than 0.1 kg and four standard deviations for more than 10 s; 2 unusable arguments.
 )";
 
 /// Random moves from rest to rest, along minimum-jerk paths about the pose `home`.
@@ -108,9 +112,38 @@ class Hand {
   double since(double t) const { return t - over_; }  ///< the last change was over [s]
   int changes = 0;
 
+  std::size_t held() const { return held_.size(); }
+
  private:
   std::vector<int> held_;
   double next_ = 1, over_ = 0;  // [s]
+};
+
+/// How far the believed mass is off, second by second.
+class MassError {
+ public:
+  /// @param off  error [kg]
+  /// @param std  that the belief states [kg]
+  void add(double off, double std) {
+    ++seconds_;
+    sum_ += std::abs(off);
+    largest_ = std::max(largest_, std::abs(off));
+    inside_ += std::abs(off) <= 3 * std ? 1 : 0;
+    wrong_ = std::abs(off) > std::max(kLost, kSure * std) ? wrong_ + 1 : 0;
+    longest_ = std::max(longest_, wrong_);
+  }
+  double longest() const { return static_cast<double>(longest_); }  ///< the longest wrong belief [s]
+  void print() const {
+    const auto n = static_cast<double>(std::max(1L, seconds_));
+    std::printf("Mass held, later than %g s after a change: off by %.1f g on average, %.0f g at most; ", kKnown,
+                1e3 * sum_ / n, 1e3 * largest_);
+    std::printf("%.1f %% within 3 stated deviations; longest wrong belief %ld s.\n",
+                100 * static_cast<double>(inside_) / n, longest_);
+  }
+
+ private:
+  long seconds_ = 0, inside_ = 0, wrong_ = 0, longest_ = 0;
+  double sum_ = 0, largest_ = 0;  // [kg]
 };
 
 int run(Arguments& arguments) {
@@ -134,6 +167,7 @@ int run(Arguments& arguments) {
   int number = 0, alarms = 0, first_minutes = 0, at_change = 0;
   double threshold = 0;  // of the joint with the largest one, sum over the seconds [N m]
   long seconds = 0;
+  MassError mass;
   for (long tick = 0; arm.time() < 3600 * hours; ++tick) {
     const double t = arm.time();
     hand.update(arm, random);
@@ -145,6 +179,10 @@ int run(Arguments& arguments) {
     if (tick % 1000 == 0 && t > 60) {
       threshold += contact.threshold.maxCoeff();
       ++seconds;
+    }
+    if (tick % 1000 == 0 && hand.held() > 0 && hand.since(t) > kKnown) {
+      const auto& payload = estimator->state().payload;
+      mass.add(payload.mean[0] - arm.payload().mass, std::sqrt(payload.covariance(0, 0)));
     }
     if (contact.last.number > number) {
       number = contact.last.number;
@@ -174,7 +212,8 @@ int run(Arguments& arguments) {
   std::printf("False alarms: %d (%d of them in the first 5 min); stated are %.2f.\n", alarms, first_minutes, stated);
   if (seconds > 0)
     std::printf("Threshold of the least sensitive joint: %.3f N m.\n", threshold / static_cast<double>(seconds));
-  return alarms > std::max(1.0, stated + 3 * std::sqrt(stated)) ? 1 : 0;
+  mass.print();
+  return alarms > std::max(1.0, stated + 3 * std::sqrt(stated)) || mass.longest() > kLongest ? 1 : 0;
 }
 
 }  // namespace
