@@ -26,6 +26,7 @@ constexpr double kChange = 1;                 // how long after a change of the 
 constexpr double kKnown = 2;                  // how long after a change the payload is asked for [s]
 constexpr double kLost = 0.1, kSure = 4;      // an error beyond both is a wrong belief: [kg], and standard deviations
 constexpr double kLongest = 10;               // how long one may last [s]
+constexpr double kInside = 0.9;               // least share of the seconds within three standard deviations
 
 constexpr const char* kUsage = R"(usage: rme_false_alarms [options]
 
@@ -40,7 +41,8 @@ Prints how often a contact is noticed while nothing touches the arm, and how far
   --help        this text
 
 Exit codes: 0 done; 1 more false alarms than stated, by more than three standard deviations of their count and by more
-than one, or the mass was off by more than 0.1 kg and four standard deviations for more than 10 s; 2 unusable arguments.
+than one, or the mass was off by more than 0.1 kg and four standard deviations for more than 10 s, or by more than three
+standard deviations in a tenth of all seconds; 2 unusable arguments.
 )";
 
 /// Random moves from rest to rest, along minimum-jerk paths about the pose `home`.
@@ -132,7 +134,11 @@ class MassError {
     wrong_ = std::abs(off) > std::max(kLost, kSure * std) ? wrong_ + 1 : 0;
     longest_ = std::max(longest_, wrong_);
   }
-  double longest() const { return static_cast<double>(longest_); }  ///< the longest wrong belief [s]
+  /// Whether no wrong belief lasted, and the stated deviations were kept to.
+  bool good() const {
+    return static_cast<double>(longest_) <= kLongest &&
+           static_cast<double>(inside_) >= kInside * static_cast<double>(seconds_);
+  }
   void print() const {
     const auto n = static_cast<double>(std::max(1L, seconds_));
     std::printf("Mass held, later than %g s after a change: off by %.1f g on average, %.0f g at most; ", kKnown,
@@ -213,7 +219,7 @@ int run(Arguments& arguments) {
   if (seconds > 0)
     std::printf("Threshold of the least sensitive joint: %.3f N m.\n", threshold / static_cast<double>(seconds));
   mass.print();
-  return alarms > std::max(1.0, stated + 3 * std::sqrt(stated)) || mass.longest() > kLongest ? 1 : 0;
+  return alarms > std::max(1.0, stated + 3 * std::sqrt(stated)) || !mass.good() ? 1 : 0;
 }
 
 }  // namespace
