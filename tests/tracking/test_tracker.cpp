@@ -252,10 +252,8 @@ TEST_CASE("Tracker: the belief has the moments of the mixture over all stories i
       if (!histories.holds(i)) continue;
       held += w;
       const auto payload = histories.payload(i);
-      // What the gains of seven joints have in common, where they are off by 2 %.
-      const double common = histories.story(i).star.nuisance_variance(rme::kGain) > 0 ? 4e-4 / 7 : 0;
       mixture.mean += w * payload.mean;
-      mixture.covariance += w * (payload.covariance + (1 + common) * payload.mean * payload.mean.transpose());
+      mixture.covariance += w * (payload.covariance + payload.mean * payload.mean.transpose());
     }
     CHECK(all == Approx(1).epsilon(1e-12));
     const auto& belief = tracker.belief();

@@ -14,7 +14,6 @@
 #include <rme/tracking/mode.hpp>
 #include <rme/tracking/payload_belief.hpp>
 #include <rme/tracking/torque_block.hpp>
-#include <rme/tracking/transitions.hpp>
 
 namespace rme {
 
@@ -254,11 +253,8 @@ class Tracker {
       undecided += w * story.undecided.of(payload.mean[0]);
       const auto spread = static_cast<Scalar>(kind.model().kind().spread);
       const auto gain = static_cast<Scalar>(kind.model().kind().gain);
-      // What the gains of all joints have in common cannot be told from the mass, however well each of them is known.
-      const bool off = story.star.nuisance_variance(kGain) > 0;
-      const Scalar common = off ? Scalar(Transitions::kOffGain * Transitions::kOffGain / Dofs) : Scalar(0);
       payload.covariance *= spread * spread;
-      detail::add_outer(payload.covariance, detail::scaled(gain * gain + common, payload.mean), payload.mean);
+      detail::add_outer(payload.covariance, detail::scaled(gain * gain, payload.mean), payload.mean);
       const InertialVector<Scalar> d = detail::difference(payload.mean, near);
       detail::add_scaled(mean, w, d);
       detail::add_scaled(square, w, payload.covariance);
