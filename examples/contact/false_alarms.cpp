@@ -114,14 +114,12 @@ class Hand {
   double since(double t) const { return t - over_; }  ///< the last change was over [s]
   int changes = 0;
 
-  std::size_t held() const { return held_.size(); }
-
  private:
   std::vector<int> held_;
   double next_ = 1, over_ = 0;  // [s]
 };
 
-/// How far the believed mass is off, second by second.
+/// How far the believed mass is off, over the seconds that are asked: those of a change do not end a wrong belief.
 class MassError {
  public:
   /// @param off  error [kg]
@@ -186,7 +184,7 @@ int run(Arguments& arguments) {
       threshold += contact.threshold.maxCoeff();
       ++seconds;
     }
-    if (tick % 1000 == 0 && hand.held() > 0 && hand.since(t) > kKnown) {
+    if (tick % 1000 == 0 && hand.since(t) > kKnown && arm.payload().mass > 0) {
       const auto& payload = estimator->state().payload;
       mass.add(payload.mean[0] - arm.payload().mass, std::sqrt(payload.covariance(0, 0)));
     }
