@@ -70,8 +70,11 @@ class Histories {
     begin_model(block, regime, context);
     exchange_likely_ = context.exchange_likely;
     log_share_ = context.log_share;
-    heaviest_ = Scalar(-1e30);
-    for (int i = 0; i < count_; ++i) heaviest_ = std::max(heaviest_, told(i).log_weight);
+    int heaviest = 0;
+    for (int i = 1; i < count_; ++i)
+      if (told(i).log_weight > told(heaviest).log_weight) heaviest = i;
+    heaviest_ = told(heaviest).log_weight;
+    swings_ = told(heaviest).star.swings();
     settled_ = -1;
     for (int i = 0; i < count_; ++i)
       if (told(i).settled() && (settled_ < 0 || told(i).log_weight > told(settled_).log_weight)) settled_ = i;
@@ -206,14 +209,18 @@ class Histories {
   static constexpr double kOff = 30;              // how much more, times the stated offset
   static constexpr double kTiltedAtStart = 0.05;  // probability that the base is tilted
   static constexpr double kTilted = 0.04;         // by how much, about either axis [rad]
-  static constexpr double kPourDepth = 8;         // log odds at which a pour is given up while nothing happens [nats]
+  // The same of the heaviest story in which nothing swings, if the force of a swing explains the blocks so far better [nats].
+  static constexpr double kSwingDepth = 40;
+  static constexpr double kPourDepth = 8;  // log odds at which a pour is given up while nothing happens [nats]
   static constexpr int kPlans = Transitions::kMost * Capacity;
 
   static constexpr std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
 
   /// Log odds at which a story is given up, over all kinds: early if the arm is unlikely to have this one.
-  Scalar depth() const noexcept {
-    return std::max(Scalar(kShallow), static_cast<Scalar>(model().kind().depth) + log_share_);
+  /// @param outlasts  nothing swings in it, but in the heaviest
+  Scalar depth(bool outlasts) const noexcept {
+    const double depth = outlasts ? kSwingDepth : model().kind().depth;
+    return std::max(Scalar(kShallow), static_cast<Scalar>(depth) + log_share_);
   }
   /// Begins a phase of the block: plans its children.
   void enter(Phase phase) noexcept {
@@ -252,7 +259,7 @@ class Histories {
       const double all = model().kind().change * (2 + (parent.mode == Mode::Held ? 2 : 1) * Transitions::kAtOnce);
       log_probability += static_cast<Scalar>(log(exchange ? 0.5 / all : 0.5));
     }
-    if (parent.log_weight + log_probability < heaviest_ - depth()) return;
+    if (parent.log_weight + log_probability < heaviest_ - depth(swings_ && !t.swings)) return;
     plans_[at(planned_++)] = {i, t, log_probability};
   }
 
@@ -340,10 +347,14 @@ class Histories {
     }
     if (place < 0 && children_ < Capacity) place = children_++;
     if (place < 0) {
-      place = 0;
-      for (int i = 1; i < children_; ++i)
-        if (next(i).log_weight < next(place).log_weight) place = i;
-      if (next(place).log_weight > child.log_weight) return;
+      int rigid = -1;  // the heaviest in which nothing swings stays
+      for (int i = 0; i < children_; ++i)
+        if (!next(i).star.swings() && (rigid < 0 || next(i).log_weight > next(rigid).log_weight)) rigid = i;
+      const bool stays =
+          !child.star.swings() && (rigid < 0 || child.log_weight > next(rigid).log_weight);  // or it is the child
+      for (int i = 0; i < children_; ++i)
+        if ((stays || i != rigid) && (place < 0 || next(i).log_weight < next(place).log_weight)) place = i;
+      if (!stays && next(place).log_weight > child.log_weight) return;
     }
     work_->keep(place);
     squared_[at(place)] = innovation.squared / Scalar(Dofs);
@@ -367,11 +378,17 @@ class Histories {
     const bool settled = next(order[0]).mode != Mode::Disturbed && settled_squared_ > 0;
     innovation_squared_ = settled ? settled_squared_ : squared_[at(order[0])];
     Scalar total = Scalar(0);
-    const Scalar best = next(order[0]).log_weight, depth = this->depth();
+    const Scalar best = next(order[0]).log_weight;
+    bool outlasts = next(order[0]).star.swings();  // the next story in which nothing swings
     count_ = 0;
     for (int i = 0; i < children_; ++i) {
       const Tale& child = next(order[at(i)]);
-      if (child.log_weight < best - (explained_ && child.mode == Mode::Pouring ? Scalar(kPourDepth) : depth)) continue;
+      Scalar depth = explained_ && child.mode == Mode::Pouring ? Scalar(kPourDepth) : this->depth(false);
+      if (outlasts && !child.star.swings()) {
+        depth = this->depth(true);
+        outlasts = false;
+      }
+      if (child.log_weight < best - depth) continue;
       told(count_) = child;
       total += exp(told(count_).log_weight - best);
       ++count_;
@@ -416,6 +433,7 @@ class Histories {
   long blocks_ = 0;
   Phase phase_ = Phase::Begins;
   bool explained_ = false, jolted_ = false, exchange_likely_ = false;
+  bool swings_ = false;           // something swings in the heaviest story before the block
   Scalar log_share_ = Scalar(0);  // log probability of the kind
   Scalar goes_on_weight_ = Scalar(0), jolt_weight_ = Scalar(0);
   Scalar heaviest_ = Scalar(0), best_child_ = Scalar(0), evidence_ = Scalar(0), innovation_squared_ = Scalar(1);

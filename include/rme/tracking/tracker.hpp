@@ -14,6 +14,7 @@
 #include <rme/tracking/mode.hpp>
 #include <rme/tracking/payload_belief.hpp>
 #include <rme/tracking/torque_block.hpp>
+#include <rme/tracking/transitions.hpp>
 
 namespace rme {
 
@@ -254,7 +255,10 @@ class Tracker {
       const auto spread = static_cast<Scalar>(kind.model().kind().spread);
       const auto gain = static_cast<Scalar>(kind.model().kind().gain);
       payload.covariance *= spread * spread;
-      detail::add_outer(payload.covariance, detail::scaled(gain * gain, payload.mean), payload.mean);
+      // The mean of the gains' errors is counted as the payload's.
+      const Scalar off = story.star.nuisance_variance(kGain) > 0 ? Scalar(Transitions::kOffGain) : Scalar(0);
+      const Scalar scale = gain * gain + off * off / Scalar(Dofs);
+      detail::add_outer(payload.covariance, detail::scaled(scale, payload.mean), payload.mean);
       const InertialVector<Scalar> d = detail::difference(payload.mean, near);
       detail::add_scaled(mean, w, d);
       detail::add_scaled(square, w, payload.covariance);
