@@ -356,38 +356,6 @@ TEST_CASE("StarGaussian: an empty hand stays empty, and what it learns of the ar
   }
 }
 
-TEST_CASE("StarGaussian: what all gains have in common becomes the payload's, and no torque changes", "[star]") {
-  const unsigned seed = 515;
-  CAPTURE(seed);
-  std::mt19937 random(seed);
-  for (int k = 0; k < 20; ++k) {
-    CAPTURE(k);
-    const Star before = random_star(random);
-    Star star = before;
-    for (int j = 0; j < kJoints; ++j)  // small gains, which differ
-      star.joint(j).mean[rme::kGain] += 0.02 + 0.01 * j - star.nuisance_mean(j, rme::kGain);
-    const Star small = star;
-    star.normalise_gains();
-    double sum = 0, weights = 0;
-    const double scale = star.payload_mean()[0] / small.payload_mean()[0];
-    CHECK(scale > 1.01);
-    for (int j = 0; j < kJoints; ++j) {
-      CAPTURE(j);
-      const double weight = 1 / star.joint(j).covariance(rme::kGain, rme::kGain),
-                   gain = star.nuisance_mean(j, rme::kGain);
-      sum += weight * gain;
-      weights += weight;
-      CHECK(std::abs(scale * (1 + gain) - (1 + small.nuisance_mean(j, rme::kGain))) < 1e-9);
-      for (const auto n : {rme::kOffset, rme::kCoulomb, rme::kViscous, rme::kResidual, rme::kStiction})
-        CHECK(std::abs(star.nuisance_mean(j, n) - small.nuisance_mean(j, n)) < 1e-9);
-    }
-    CHECK(std::abs(sum / weights) < 1e-9);
-    for (int i = 0; i < kInertial; ++i)
-      CHECK(std::abs(star.payload_mean()[i] - scale * small.payload_mean()[i]) < 1e-9);
-    CHECK(difference({dense(small).mean, dense(star).covariance}, dense(small)) < 1e-9);
-  }
-}
-
 TEST_CASE("StarGaussian: finite() checks every part", "[star]") {
   const unsigned seed = 521;
   CAPTURE(seed);

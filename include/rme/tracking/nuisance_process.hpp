@@ -193,7 +193,6 @@ void NuisanceProcess<Scalar, Dofs>::predict(Star& star, const Noise& noise, cons
   const Scalar way = velocity_.norm() * elapsed_;
   const Scalar keep = exp(-way / static_cast<Scalar>(kind_.way));
   const Scalar hold = exp(-elapsed_ * static_cast<Scalar>(regime_.arm_moves() ? kind_.creep : kind_.creep_at_rest));
-  if (!star.empty() && star.nuisance_variance(kGain) > 0) star.normalise_gains();
   for (int j = 0; j < Dofs; ++j) {
     auto& V = star.joint(j).covariance;
     const Scalar turned = static_cast<Scalar>(kind_.turn) * turned_[j];

@@ -359,26 +359,6 @@ class StarGaussian {
   void widen_nuisance(Nuisance n, Scalar variance) noexcept {
     for (Joint& joint : joints_) joint.covariance(n, n) += variance;
   }
-  /// What the gains of all joints have in common cannot be told from the payload: it is counted as the payload's
-  /// (docs/theory.md (T72)). No torque that is predicted changes.
-  void normalise_gains() noexcept {
-    Scalar sum = Scalar(0), weights = Scalar(0);
-    for (int j = 0; j < Dofs; ++j) {
-      const Scalar weight = Scalar(1) / std::max(joint(j).covariance(kGain, kGain), Scalar(1e-9));
-      sum += weight * nuisance_mean(j, kGain);
-      weights += weight;
-    }
-    const Scalar common = std::max(Scalar(-kLargestStep), std::min(Scalar(kLargestStep), sum / weights));
-    X step = X::Zero();
-    for (int i = kPayload; i < size_; ++i)
-      if (i < kHeldShared || poured(i - kPoured)) step[i] = common * mean_[i];
-    for (int j = 0; j < Dofs; ++j) {
-      const Scalar gain = nuisance_mean(j, kGain);
-      detail::add_scaled(joint(j).mean, Scalar(-1), Beta(detail::transposed_product(joint(j).slope, step)));
-      joint(j).mean[kGain] -= common * (1 + gain) / (1 + common);
-    }
-    mean_ += step;
-  }
   /// Variance of nuisance n given x, mean over the joints.
   Scalar nuisance_variance(Nuisance n) const noexcept {
     Scalar sum = Scalar(0);
@@ -406,7 +386,6 @@ class StarGaussian {
   }
 
  private:
-  static constexpr double kLargestStep = 0.1;  // of the gains' mean in a block: products of unknowns are linearised
   /// Whether something has been poured into entry i of phi.
   bool poured(int i) const noexcept { return i < 4 && last_ == Last::Poured; }
   template <int Size>

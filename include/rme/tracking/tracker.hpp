@@ -255,7 +255,7 @@ class Tracker {
       const auto spread = static_cast<Scalar>(kind.model().kind().spread);
       const auto gain = static_cast<Scalar>(kind.model().kind().gain);
       payload.covariance *= spread * spread;
-      // The mean of the gains' errors is counted as the payload's.
+      // What the gains of all joints have in common cannot be told from the mass.
       const Scalar off = story.star.nuisance_variance(kGain) > 0 ? Scalar(Transitions::kOffGain) : Scalar(0);
       const Scalar scale = gain * gain + off * off / Scalar(Dofs);
       detail::add_outer(payload.covariance, detail::scaled(scale, payload.mean), payload.mean);
