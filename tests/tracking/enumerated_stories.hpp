@@ -98,7 +98,8 @@ class EnumeratedStories {
     for (int j = 0; j < Dofs; ++j) gain += p.star.joint(j).covariance(kGain, kGain) / Dofs;
     const double off = kind.draws && gain < 0.01 * 0.01 ? Transitions::kGainsOff : 0;
     const auto drawn = [&](double probability, bool late) {
-      const double hangs = p.mode == Mode::Held ? 0 : Transitions::kHangs * kind.faint;
+      const bool from_the_hand = p.mode == Mode::Empty || p.mode == Mode::Changing;
+      const double hangs = from_the_hand ? Transitions::kHangs * kind.faint : 0;
       Transition t = to(Mode::Held);
       t.anew = true;
       t.late = late;
@@ -158,13 +159,16 @@ class EnumeratedStories {
       const bool jolt = p.how == Disturbing::Jolt, soft = p.how == Disturbing::Growing || p.how == Disturbing::Still;
       const double ends = jolt ? Transitions::kJoltEnds : soft ? Transitions::kTouchEnds : Transitions::kDisturbEnds;
       const double turns_out = (soft ? 0.3 : 1) * Transitions::kTurnsOut * std::min(1.0, c / 1e-3);
-      child(1 - Transitions::kZeroes - ends - (soft ? 2 : 1) * turns_out -
+      const double taken = p.how == Disturbing::Hand ? 0.3 * turns_out * kind.faint : 0;
+      child(1 - Transitions::kZeroes - ends - (soft ? 2 : 1) * turns_out - (p.payload == 0 ? 1 : 2) * taken -
                 (jolt ? 0
                       : Transitions::kOther * (p.how != Disturbing::Hand) +
                             Transitions::kSoftOther * (soft ? 1 : 2) * kind.slowly),
             disturbed(p.how));
       child(ends, to(p.payload == 0 ? Mode::Empty : Mode::Held));
       child(turns_out, to(Mode::Changing));
+      drawn(taken, false);
+      if (p.payload != 0) child(taken, to(Mode::Empty));
       if (soft && blocks_ % Transitions::kSoon == 0) {
         Transition t = to(Mode::Held);
         t.anew = t.turned = true;

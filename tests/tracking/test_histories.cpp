@@ -107,7 +107,7 @@ Key key(const rme::Story<double, Dofs>& s, bool how) {
   const int kind = s.mode == Mode::Disturbed                                 ? static_cast<int>(s.how)
                    : (s.mode == Mode::Pouring && s.quick) || s.star.swings() ? 1
                                                                              : 0;
-  return {static_cast<int>(s.mode), s.payload, how ? kind + 10 * s.tilted : 0};
+  return {static_cast<int>(s.mode), s.payload, how ? kind + 10 * s.tilted + 20 * s.star.gains_off() : 0};
 }
 template <typename Histories, typename Enumerated>
 std::pair<Weights, Weights> weights(const Histories& histories, const Enumerated& enumerated, bool how) {

@@ -92,6 +92,22 @@ TEST_CASE("Histories: after a push the hand holds what it held, with all that wa
   CHECK(missed <= 1);  // of 18
 }
 
+TEST_CASE("Histories: what a hand takes or exchanges as it lets go is no push that stays", "[histories]") {
+  for (const double after : {0.0, 0.4})
+    for (unsigned seed = 630; seed < 642; ++seed) {
+      CAPTURE(after, seed);
+      Scene scene(seed, Sensing::LinkSide);
+      scene.live(50);
+      scene.hold(1.4);
+      scene.live(100);
+      push(scene, 8);
+      scene.hold(after);
+      scene.live(2);  // 40 ms
+      CHECK(scene.probability(after > 0 ? Mode::Held : Mode::Empty) > 0.9);
+      CHECK(std::abs((1 - scene.empty()) * scene.mass() - after) < 0.05);
+    }
+}
+
 TEST_CASE("Histories: a jolt does not change the mass", "[histories]") {
   for (const Sensing sensing : kAll)
     for (const double swing : {0.0, 0.3})

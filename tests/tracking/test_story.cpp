@@ -38,4 +38,13 @@ TEST_CASE("Story: settled, nothing pours or swings any more, and the tool is wha
   }
 }
 
+TEST_CASE("Story: an arm whose gains may be off is another arm", "[story]") {
+  Story exact, off;
+  CHECK(exact.same(off));
+  off.star.widen_nuisance(rme::kGain, 1e-4);
+  CHECK(!exact.same(off));
+  exact.star.widen_nuisance(rme::kGain, 1e-6);  // known better, but not exactly
+  CHECK(exact.same(off));
+}
+
 }  // namespace

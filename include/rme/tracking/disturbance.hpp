@@ -71,11 +71,12 @@ class Disturbance {
     const Load<Scalar, Dofs> load = this->load(model, star);
     for (int j = 0; j < Dofs; ++j) {
       auto& p = predictions[static_cast<std::size_t>(j)];
-      p = star.predict(j, model.observation(j, load));
+      p = star.predict(j, known_gain(star, j, model.observation(j, load)));
       squared += p.innovation * p.innovation / p.variance;
       e[j] = p.innovation;
       // An error of the payload is the same in all blocks, and the wrench takes it in the first. Counted in each, it would
-      // favour stories that know little of the payload.
+      // favour stories that know little of the payload. So it is with the gains. Nor are they learned: the wrench follows
+      // from the same torque, and agrees with whatever gains are believed in.
       const typename Star::X arm = star.arm_spread(p);
       for (int i = 0; i < kShared; ++i) spread(j, i) = arm[i];
     }
@@ -281,8 +282,14 @@ class Disturbance {
     const Vector3<Scalar>& g = model.gravity();
     return (mean_[0] * g[0] + mean_[1] * g[1] + mean_[2] * g[2]) / detail::dot(g, g);
   }
-  /// What the joints bear, the wrench included. One that is a weight has the noise of its inertia, and the errors of the
-  /// gains: otherwise these alone would decide between both.
+  /// An observation of joint j without the uncertainty of its gain.
+  static JointObservation<Scalar> known_gain(const Star& star, int j, JointObservation<Scalar> o) noexcept {
+    o.torque -= o.c[kGain] * star.nuisance_mean(j, kGain);
+    o.c[kGain] = Scalar(0);
+    return o;
+  }
+  /// What the joints bear, the wrench included. One that is a weight has the noise of its inertia, and what a block shows
+  /// of it has the errors of the gains: otherwise these alone would decide between both.
   Load<Scalar, Dofs> load(const Model& model, const Star& star) const noexcept {
     Load<Scalar, Dofs> out = model.load(star);
     out.mass = std::max(Scalar(0), star.mass() + weighs(model));

@@ -365,6 +365,8 @@ class StarGaussian {
     for (const Joint& joint : joints_) sum += joint.covariance(n, n);
     return sum / Scalar(Dofs);
   }
+  /// Whether the gains of the torque may be off.
+  bool gains_off() const noexcept { return nuisance_variance(kGain) > 0; }
   /// Adds independent noise to what belongs to the arm. Each beta_j keeps its moments with x as they were.
   /// @param variance  of the noise, in the order of Shared, >= 0
   void widen_arm(const Eigen::Matrix<Scalar, kArmShared, 1>& variance) noexcept {

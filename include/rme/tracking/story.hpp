@@ -36,7 +36,7 @@ struct Story {
   bool same(const Story& other) const noexcept {
     return mode == other.mode && payload == other.payload && (mode != Mode::Disturbed || how == other.how) &&
            (mode != Mode::Pouring || quick == other.quick) && star.swings() == other.star.swings() &&
-           tilted == other.tilted;
+           tilted == other.tilted && star.gains_off() == other.star.gains_off();
   }
   /// Mean of the tool error, (m, m r) [kg, kg m].
   Vector4<Scalar> tool_mean() const noexcept {

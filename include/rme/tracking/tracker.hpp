@@ -256,7 +256,7 @@ class Tracker {
       const auto gain = static_cast<Scalar>(kind.model().kind().gain);
       payload.covariance *= spread * spread;
       // What the gains of all joints have in common cannot be told from the mass.
-      const Scalar off = story.star.nuisance_variance(kGain) > 0 ? Scalar(Transitions::kOffGain) : Scalar(0);
+      const Scalar off = story.star.gains_off() ? Scalar(Transitions::kOffGain) : Scalar(0);
       const Scalar scale = gain * gain + off * off / Scalar(Dofs);
       detail::add_outer(payload.covariance, detail::scaled(scale, payload.mean), payload.mean);
       const InertialVector<Scalar> d = detail::difference(payload.mean, near);

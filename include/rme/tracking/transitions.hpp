@@ -36,7 +36,8 @@ struct Transitions {
   static constexpr double kSwingEnds = 2e-3;  ///< a swing ends
   static constexpr double kAtOnce = 0.3;      ///< no block lies between the old payload, or none, and the new: as a
                                               ///< share of SensingKind::change, to a new payload and to an empty hand;
-                                              ///< and a payload turns out never to have been there
+                                              ///< and a payload turns out never to have been there;
+                                              ///< and of kTurnsOut, a hand that pushes takes what is held or gives
   static constexpr double kZeroes = 1e-7;     ///< the torque sensors are zeroed, whatever is held
   static constexpr double kPourEnds = 4e-3;   ///< a pour ends
   static constexpr double kQuickEnds = 0.03;  ///< a quick pour ends: the payload is taken up
@@ -50,7 +51,7 @@ struct Transitions {
   static constexpr double kTurnsOut = 0.01;     ///< a disturbance turns out to be a change, or the other way round
   static constexpr double kIsLate = 0.01;       ///< a change shows that the observer is not as stated
   static constexpr double kOffGain = 0.02;      ///< relative error of the torque's gains that are off
-  static constexpr double kGainsOff = 1e-3;     ///< a payload shows that the torque's gains are off
+  static constexpr double kGainsOff = 3e-4;     ///< a payload shows that the torque's gains are off
   /// Standard deviation of the lag then, in time constants of the stated observer. One that is in truth half or twice as
   /// fast has a lag of 1 or -0.5.
   static constexpr double kLate = 0.5;
@@ -181,10 +182,14 @@ struct Transitions {
         const auto other = [&](Disturbing how) {  // a jolt does not become a push
           return jolt || how == story.how ? 0 : how == Disturbing::Hand ? kOther : kSoftOther * kind.slowly;
         };
-        goes_on(1 - kZeroes - ends - turns_out - turned - other(Disturbing::Hand) - other(Disturbing::Growing) -
-                other(Disturbing::Still));
+        const double at_once = story.how == Disturbing::Hand ? kAtOnce * turns_out * kind.faint : 0;
+        const double empties = story.payload != 0 ? at_once : 0;
+        goes_on(1 - kZeroes - ends - turns_out - turned - at_once - empties - other(Disturbing::Hand) -
+                other(Disturbing::Growing) - other(Disturbing::Still));
         use(to(story.payload == 0 ? Mode::Empty : Mode::Held, ends));
         use(to(Mode::Changing, turns_out));
+        if (at_once > 0) drawn(at_once, 0, false);
+        if (empties > 0) use(to(Mode::Empty, empties));
         if (turned > 0 && soon) {
           Transition weight = to(Mode::Held, turned * kSoon);
           weight.anew = weight.turned = true;
