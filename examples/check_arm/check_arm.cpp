@@ -63,7 +63,7 @@ std::vector<FormattedLog<Dofs>> read(const Inputs& inputs) {
   }
   if (seconds < 5)
     throw LogError(inputs.files.front() + ": 5 s of an empty hand are needed, the logs hold " +
-                   std::to_string(seconds));
+                   std::to_string(std::lround(1e3 * seconds)) + " ms");
   return out;
 }
 
@@ -407,13 +407,17 @@ void print(const Promised& promised) {
   for (const PromiseRow& row : promise.rows)
     std::printf("%9.1f   %-9s %9d %20.3f %16.3f %19.0f %% %21.0f\n", kAfter[row.after], row.moving ? "moves" : "rests",
                 row.answers, row.error, row.worst, 100 * row.coverage, 1e3 * row.centre);
+  const auto tried = [&promise](std::size_t after) {  // so long after an attachment a short log may be over
+    return std::any_of(promise.rows.begin(), promise.rows.end(),
+                       [after](const auto& row) { return row.after == after; });
+  };
   std::printf("lightest payload that is found in 95 %%:");
   for (std::size_t after = 0; after < kAfter.size(); ++after) {
     const double mass = promise.lightest[after];
     if (std::isfinite(mass))
       std::printf("%s %.3g kg within %g s", after > 0 ? "," : "", mass, kAfter[after]);
     else
-      std::printf("%s none within %g s", after > 0 ? "," : "", kAfter[after]);
+      std::printf(tried(after) ? "%s none within %g s" : "%s not tried for %g s", after > 0 ? "," : "", kAfter[after]);
   }
   const double hours = promised.test.seconds / 3600;
   std::printf("\nfalse payloads: %d in %.0f s, %.0f an hour", promised.test.false_payloads, promised.test.seconds,

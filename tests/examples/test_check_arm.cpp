@@ -214,13 +214,23 @@ TEST_CASE("check_arm: a log that cannot be right is refused, with the command th
   CHECK(check("--gains 10,10,10,10,10,10,10 " + currents.name).exit_code == 0);
 }
 
+TEST_CASE("check_arm: a log that is too short to try a payload for 5 s says so, and not that none is found",
+          "[check_arm]") {
+  Shown shown;
+  shown.seconds = 6;
+  const TemporaryFile first("first.csv", recording(shown)), second("second.csv", recording(shown));
+  const std::string text = promise_of("--bandwidth 0 " + first.name + " " + second.name).text;
+  CHECK_THAT(text, contains("lightest payload that is found in 95 %") && contains("not tried for 5 s"));
+  CHECK_THAT(text, !contains("within 5 s"));
+}
+
 TEST_CASE("check_arm: a log that says nothing of an empty hand is refused", "[check_arm]") {
   Shown brief;
   brief.seconds = 3;
   const TemporaryFile log("brief.csv", recording(brief));
   const Result refused = check(log.name, Stream::Errors);
   CHECK(refused.exit_code == 3);
-  CHECK_THAT(refused.text, contains("5 s of an empty hand are needed"));
+  CHECK_THAT(refused.text, contains("5 s of an empty hand are needed, the logs hold 2996 ms"));
   const Result held = check("\"" RME_TEST_DATA "/mujoco/link_side.csv.gz\"", Stream::Errors);
   CHECK(held.exit_code == 3);
   CHECK_THAT(held.text, contains("column m: the hand holds something"));
