@@ -498,6 +498,7 @@ int run(Arguments& arguments, const ArmRequest& request) {
     return 1;
   }
   std::vector<Log<Dofs>> logs;
+  logs.reserve(formatted.size());
   for (const FormattedLog<Dofs>& log : formatted) logs.push_back(log.log);
   Findings<Dofs> found = check<Dofs>(logs, settings);
   for (std::size_t k = 0; k < logs.size(); ++k)
@@ -530,6 +531,7 @@ int run(Arguments& arguments, const ArmRequest& request) {
     }
   }
   std::vector<LogPath> paths;
+  paths.reserve(logs.size());
   for (const Log<Dofs>& log : logs) paths.push_back(path_of(log));
   const std::vector<HeldOut> parts = held_out_parts(paths);
   std::optional<Promised> promised;

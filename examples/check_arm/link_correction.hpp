@@ -54,9 +54,9 @@ LinkRegressors link_regressors(const Log<Dofs>& log, const Samples<Dofs>& sample
     }
     for (int j = 0; j < Dofs; ++j) {
       Eigen::MatrixXd& mine = out[static_cast<std::size_t>(j)];
-      mine.conservativeResize(static_cast<Eigen::Index>(rows.size()), kInertial * Dofs);
+      mine.conservativeResize(static_cast<Eigen::Index>(rows.size()), Eigen::Index{kInertial} * Dofs);
       for (std::size_t i = 0; i < rows.size(); ++i)
-        mine.block<1, kInertial>(static_cast<Eigen::Index>(i), kInertial * link) = rows[i].row(j);
+        mine.block<1, kInertial>(static_cast<Eigen::Index>(i), Eigen::Index{kInertial} * link) = rows[i].row(j);
     }
   }
   return out;
