@@ -166,10 +166,39 @@ TEST_CASE("Estimator: a kilogram is mostly still held after the torque sensors w
       if (host.estimator.state().held > 0.1) ++stays;
     }
     CAPTURE(friction, right, silent, stays);
-    CHECK(right >= (friction ? 8 : 32));  // of 36
-    CHECK(silent <= (friction ? 2 : 0));
+    CHECK(right >= (friction ? 8 : 32));  // of 36; with friction, of 144 it is 40 right and 9 silent
+    CHECK(silent <= (friction ? 3 : 0));
     CHECK(stays == 0);
   }
+}
+
+TEST_CASE("Estimator: the inertia of what is taken up little by little, and added to, is within its stated deviation",
+          "[estimator]") {
+  int entries = 0, within = 0, known = 0;
+  for (std::uint64_t seed = 900; seed < 936; ++seed) {
+    CAPTURE(seed);
+    Host host(seed, false);
+    host.run(1);
+    const double slow = 0.3 + 0.1 * static_cast<double>(seed % 18);  // [s]
+    host.arm.attach(box(0.8, {0.03, 0.02, 0.1}, {0.06, 0.06, 0.1}), slow);
+    host.run(slow + 1);
+    host.run(6, 0.3);
+    host.arm.attach(box(0.5, {-0.05, 0.03, 0.06}, {0.06, 0.06, 0.1}), 3);
+    host.run(4);
+    host.run(8, 0.3);
+    const rme::examples::RigidBody held = host.arm.payload();
+    const auto truth = rme::InertialParameters<double>::of_body({held.mass, held.com}, held.inertia).vector();
+    const auto& found = host.estimator.state().inertial;
+    for (int i = 4; i < rme::kInertial; ++i) {
+      const double deviation = std::sqrt(found.covariance(i, i));
+      ++entries;
+      within += std::abs(found.mean[i] - truth[i]) < 4 * deviation ? 1 : 0;
+      known += deviation < 0.005 ? 1 : 0;  // [kg m^2]; the prior's is 0.03
+    }
+  }
+  CAPTURE(entries, within, known);
+  CHECK(within >= 0.97 * entries);
+  CHECK(known >= 0.8 * entries);
 }
 
 }  // namespace

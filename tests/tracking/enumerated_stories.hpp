@@ -257,7 +257,7 @@ class EnumeratedStories {
       out = draw(model, child.star, &child.log_none, t.swings ? &child : nullptr);
     } else if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
-        if (child.payload == 0) child.pour.suppose_hidden(model, child.star, prior_.com_mean);
+        if (child.payload == 0) child.pour.suppose_hidden(model, child.star, prior_);
         child.log_none.reset();
         child.pour.begin(child.star, prior_, rated_, child.quick);
         if (child.payload == 0) {

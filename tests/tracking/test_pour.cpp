@@ -78,6 +78,8 @@ TEST_CASE("Pour: payload and rate are what one dense filter over both makes of r
       CAPTURE(k);
       const double keep = std::exp(-kBlock / 3);
       const rme::Matrix4<double> noise = stationary();
+      const auto square_poured = [&] { return mean[kPoured] * mean[kPoured] + P(kPoured, kPoured); };
+      const double poured = square_poured();
       Matrix T = Matrix::Identity(kShared + 4, kShared + 4);
       T.bottomRightCorner(4, 4) *= keep;
       T.block<4, 4>(kPoured, kShared) = kBlock * keep * rme::Matrix4<double>::Identity();
@@ -89,6 +91,9 @@ TEST_CASE("Pour: payload and rate are what one dense filter over both makes of r
       G.bottomRows(4).setIdentity();
       P += oracle::congruence(G, (1 - keep * keep) * noise);
       P.block<4, 4>(kPoured, kPoured) += kBlock * 0.02 * noise;
+      // Each entry of the inertia is unknown by E[r^2] = 1 + 0.36 + 0.36 + 0.49 dm^2 of what has been poured.
+      const double more = std::max(0.0, square_poured() - poured);
+      P.block<6, 6>(kPayload + 4, kPayload + 4) += more * 0.0221 * 0.0221 * Matrix::Identity(6, 6);
       pour.predict(star, kBlock, prior(), kRated);
       for (int j = 0; j < kDofs; ++j) {
         rme::JointObservation<double> o{0.1 * oracle::random_matrix(random, 1, 1)(0, 0),
@@ -214,7 +219,7 @@ TEST_CASE("Pour: a payload that was hidden by the nuisances changes no predictio
   rme::testing::joints::Scene scene(rme::Sensing::JointFriction);
   scene.block({0.3, -0.3});
   auto star = scene.star;
-  Pour::suppose_hidden(scene.model, star, Eigen::Vector3d(0, 0, 0.1));
+  Pour::suppose_hidden(scene.model, star, prior());
   double precision = 0;
   for (int j = 0; j < kDofs; ++j) {
     const auto o = scene.model.observation(j, {});
@@ -225,9 +230,10 @@ TEST_CASE("Pour: a payload that was hidden by the nuisances changes no predictio
     for (int n = 0; n < rme::kJointNuisances; ++n) able += V(n, n) * o.c[n] * o.c[n];
     precision += torque * torque / (able + o.noise);
     CHECK(after.innovation == Approx(before.innovation));
-    // What the noise would have let through of a payload of this size.
+    // What the noise would have let through of a payload of this size, and what its inertia takes.
     const double through = torque * o.noise / (able + o.noise);
-    CHECK(after.variance == Approx(before.variance + through * through * star.mass_variance()));
+    const double turns = 0.0221 * 0.0221 * o.h.segment<6>(kPayload + 4).squaredNorm();
+    CHECK(after.variance == Approx(before.variance + (through * through + turns) * star.mass_variance()));
   }
   REQUIRE(precision > 0);
   CHECK(star.mass_variance() == Approx(9 / precision));

@@ -275,20 +275,21 @@ TEST_CASE("StarGaussian: what changes the payload or the tool keeps the moments 
       CHECK(changed.empty() == !held);
     }
     // Something may be in the hand that the nuisances have taken for their own.
-    rme::InertialVector<double> along = random_vector(random, kInertial);
+    rme::Vector4<double> along = random_vector(random, 4);
     along[0] = 0.5 + std::abs(along[0]);
     std::array<Star::Beta, kJoints> shift;
     Vector column = Vector::Zero(kAll);
-    column.segment(kPayload, kInertial) = along;
+    column.segment<4>(kPayload) = along;
     for (int j = 0; j < kJoints; ++j) {
       shift[static_cast<std::size_t>(j)] = random_vector(random, kJointNuisances);
       column.segment(first(j), kJointNuisances) = shift[static_cast<std::size_t>(j)];
     }
     expected = empty;
     expected.covariance += column * column.transpose();
+    expected.covariance.diagonal().segment<6>(kPayload + 4).array() += 0.09;
     changed = star;
     changed.forget_payload();
-    changed.suppose_payload(along, shift);
+    changed.suppose_payload(along, 0.3, shift);
     CHECK(difference(dense(changed), expected) < 1e-9);
   }
 }

@@ -72,13 +72,14 @@ struct PayloadPrior {
       L(1 + i, 0) = com_mean[i] * mass_std;
       L(1 + i, 1 + i) = com_std[i] * mass;
     }
-    // Standard deviation of each entry of the inertia: E[|r|^2] times the root mean square of the mass.
-    const Scalar arm = detail::dot(com_mean, com_mean) + detail::dot(com_std, com_std);
-    for (int i = 4; i < kInertial; ++i) L(i, i) = mass * arm;
+    // Standard deviation of each entry of the inertia.
+    for (int i = 4; i < kInertial; ++i) L(i, i) = mass * square_arm();
     return L;
   }
   /// E[m^2] of this prior [kg^2].
   Scalar square_mass() const noexcept { return mass_mean * mass_mean + mass_std * mass_std; }
+  /// E[|r|^2] of this prior [m^2]: the standard deviation of each entry of the inertia per mass.
+  Scalar square_arm() const noexcept { return detail::dot(com_mean, com_mean) + detail::dot(com_std, com_std); }
 };
 
 }  // namespace rme

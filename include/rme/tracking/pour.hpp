@@ -25,12 +25,12 @@ class Pour {
   /// already holds as much as they can have hidden so far.
   /// @param model  of the arm
   /// @param star   state, with an empty hand
-  /// @param com    where its centre of mass is expected [m], end-effector axes
+  /// @param prior  of what may be held
   static void suppose_hidden(const JointTorqueModel<Scalar, Dofs>& model, Star& star,
-                             const Vector3<Scalar>& com) noexcept {
-    InertialVector<Scalar> along = InertialVector<Scalar>::Zero();
+                             const PayloadPrior<Scalar>& prior) noexcept {
+    Vector4<Scalar> along;
     along[0] = 1;
-    for (int i = 0; i < 3; ++i) along[1 + i] = com[i];
+    for (int i = 0; i < 3; ++i) along[1 + i] = prior.com_mean[i];
     std::array<typename Star::Beta, static_cast<std::size_t>(Dofs)> shift;
     Scalar precision = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
@@ -48,7 +48,7 @@ class Pour {
     }
     const Scalar mass = Scalar(kHidden) / std::sqrt(std::max(precision, Scalar(1e-6)));
     for (auto& s : shift) s *= mass;
-    star.suppose_payload(detail::scaled(mass, along), shift);
+    star.suppose_payload(detail::scaled(mass, along), mass * prior.square_arm(), shift);
   }
   /// A pour that nothing is known of.
   /// @param star           state; from here on it has what is poured as unknowns of its own
@@ -61,7 +61,8 @@ class Pour {
     rate_ = {};
     rate_.covariance = stationary(star, prior, rated_payload);
   }
-  /// Time update of the rate, an Ornstein-Uhlenbeck process about zero, and of the payload, which it changes.
+  /// Time update of the rate, an Ornstein-Uhlenbeck process about zero, and of the payload, which it changes. Nothing is
+  /// known of the inertia of what is poured but its size: that of the mass.
   /// @param star           state; an empty hand begins to hold something
   /// @param duration       of the block [s]
   /// @param prior          of what may be held
@@ -74,7 +75,13 @@ class Pour {
     rate_.cross *= keep;
     rate_.covariance *= keep * keep;
     detail::add_scaled(rate_.covariance, Scalar(1) - keep * keep, noise);
-    rate_.drift(star, duration, detail::scaled(duration * Scalar(quick_ ? kQuickFlowTime : kFlowTime), noise));
+    const Matrix4<Scalar> flow = detail::scaled(duration * Scalar(quick_ ? kQuickFlowTime : kFlowTime), noise);
+    // By how much E[m^2] of what has been poured grows.
+    const Scalar more = duration * rate_.mean[0];
+    const Scalar grows = more * (2 * star.poured_mass() + more) + flow(0, 0) +
+                         duration * (2 * rate_.cross(kPoured, 0) + duration * rate_.covariance(0, 0));
+    const Scalar arm = prior.square_arm();
+    rate_.template drift<kInertial - 4>(star, duration, flow, arm * arm * std::max(Scalar(0), grows));
   }
   /// Updates the rate with an observation; to be called before star.observe(j, p).
   void observe(const Star& star, const typename Star::Prediction& p) noexcept { rate_.observe(star, p); }

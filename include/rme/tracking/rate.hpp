@@ -27,14 +27,25 @@ struct Rate {
   }
   /// The last four entries of x move by dt r; then process noise Q is added to them. Each beta_j keeps its moments with the
   /// old x (docs/theory.md, "The star").
+  /// @tparam Before  number of entries before them that get noise of their own
   /// @param star  state; if Q is not finite, nothing changes
   /// @param dt    [s]
   /// @param Q     covariance of the noise, positive semidefinite
-  void drift(Star& star, Scalar dt, const Matrix4<Scalar>& Q) noexcept {
-    // x changes by d = dt r + noise.
-    Matrix4<Scalar> moves = Q;
-    detail::add_scaled(moves, dt * dt, covariance);
-    if (!star.template add<kHeldShared>(detail::scaled(dt, mean), moves, detail::scaled(dt, cross))) return;
+  /// @param own   variance of the noise of each of the entries before, >= 0
+  template <int Before = 0>
+  void drift(Star& star, Scalar dt, const Matrix4<Scalar>& Q, Scalar own = Scalar(0)) noexcept {
+    // x changes by d = (noise, dt r + noise).
+    constexpr int kFirst = kHeldShared - Before, kSize = Before + 4;
+    Eigen::Matrix<Scalar, kSize, 1> mean_move = Eigen::Matrix<Scalar, kSize, 1>::Zero();
+    Eigen::Matrix<Scalar, kSize, kSize> moves = Eigen::Matrix<Scalar, kSize, kSize>::Zero();
+    Eigen::Matrix<Scalar, kShared, kSize> with_x = Eigen::Matrix<Scalar, kShared, kSize>::Zero();
+    for (int i = 0; i < Before; ++i) moves(i, i) = own;
+    for (int k = 0; k < 4; ++k) {
+      mean_move[Before + k] = dt * mean[k];
+      for (int i = 0; i < 4; ++i) moves(Before + i, Before + k) = Q(i, k) + dt * dt * covariance(i, k);
+      for (int i = 0; i < kShared; ++i) with_x(i, Before + k) = dt * cross(i, k);
+    }
+    if (!star.template add<kFirst>(mean_move, moves, with_x)) return;
     for (int k = 0; k < 4; ++k)
       for (int i = 0; i < 4; ++i) cross(kHeldShared + i, k) += dt * covariance(i, k);
   }

@@ -283,11 +283,13 @@ class StarGaussian {
   }
   /// The hand may hold `along` times z, z ~ N(0, 1), and the joints' nuisances have taken it for their own: each beta_j
   /// is then off by shift[j] times z. The hand has to be empty.
-  /// @param along  standard deviation of each entry of phi; along[0] > 0
-  /// @param shift  of each joint
-  void suppose_payload(const InertialVector<Scalar>& along,
+  /// @param along    standard deviation of each entry of (m, m r); along[0] > 0
+  /// @param inertia  that of each entry of the inertia, independent of z
+  /// @param shift    of each joint
+  void suppose_payload(const Vector4<Scalar>& along, Scalar inertia,
                        const std::array<Beta, static_cast<std::size_t>(Dofs)>& shift) noexcept {
-    for (int i = 0; i < kInertial; ++i) factor_(kPayload + i, kPayload) = along[i];
+    for (int i = 0; i < 4; ++i) factor_(kPayload + i, kPayload) = along[i];
+    for (int i = 4; i < kInertial; ++i) factor_(kPayload + i, kPayload + i) = inertia;
     for (int j = 0; j < Dofs; ++j)
       for (int n = 0; n < kJointNuisances; ++n)
         joint(j).slope(kPayload, n) = shift[static_cast<std::size_t>(j)][n] / along[0];

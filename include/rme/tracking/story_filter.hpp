@@ -113,7 +113,7 @@ class StoryFilter {
     if (child.mode == Mode::Pouring) {
       if (parent.mode != Mode::Pouring) {
         if (child.payload == 0 && !model_.exchange_likely())  // if the host says so, it begins now
-          child.pour.suppose_hidden(model_, child.star, payload_.com_mean);
+          child.pour.suppose_hidden(model_, child.star, payload_);
         child.log_none.reset();
         child.pour.begin(child.star, payload_, rated_, child.quick);
         if (child.payload == 0) {
