@@ -395,7 +395,8 @@ Promised rehearse(const std::vector<Log<Dofs>>& logs, const std::vector<HeldOut>
   return best;
 }
 
-void print(const Promised& promised) {
+/// @param recordings  number of logs
+void print(const Promised& promised, std::size_t recordings) {
   const Promise& promise = promised.promise;
   std::printf(
       "\nthe promise: what the estimator finds of payloads that are simulated onto %.0f s of these logs, with "
@@ -427,6 +428,8 @@ void print(const Promised& promised) {
     std::printf("; an empty hand was taken to hold up to %.3f kg: trust no lighter payload",
                 promised.test.largest_mass);
   std::printf("\n");
+  if (recordings == 1)
+    std::printf("one recording shows nothing of what differs on another day: the promise of several is safer\n");
   if (promised.widening > 1)
     std::printf(
         "noise, offset and residual in the settings are %.2g times what the logs show, since intervals held too "
@@ -540,7 +543,7 @@ int run(Arguments& arguments, const ArmRequest& request) {
   } else {
     decisions.sensing = found.settings.config.sensing;
     promised = rehearse(logs, parts, settings, decisions);
-    print(*promised);
+    print(*promised, logs.size());
     found.settings.config = widened(found.settings.config, promised->widening);
   }
   print_beliefs<Dofs>(found.data, found.settings);

@@ -368,22 +368,27 @@ class TorqueJudge {
     constexpr double kOff = 0.15, kOffByFriction = 0.45;
     // Friction over the model's torque, from which on a gain, or its sign, says nothing.
     constexpr double kFriction = 0.7, kSignFriction = 2;
-    constexpr double kSure = 4;       // deviations
+    constexpr double kSure = 4;  // deviations
+    // How much likelier the opposite sign has to be, if the gain is not known [nats]. Good logs say at least 2 for their own
+    // sign, and 20 to 200 if friction shows.
+    constexpr double kOpposite = 15;
     constexpr double kCommon = 0.12;  // tolerance of a gain that all joints have
-    constexpr double kUnit = 0.35;    // tolerance of a unit
+    constexpr double kUnit = 0.5;     // tolerance of a unit, or of the opposite sign
     const Explained data = explained(model_);
     const std::vector<GainFit> fits = fit_.fit_gains(data);
     const Eigen::Index n = arm_.joints();
-    std::vector<Eigen::Index> known, off;
+    std::vector<Eigen::Index> known, off, turned;  // joints; turned: of these, nothing is known but the sign
     for (Eigen::Index j = 0; j < n; ++j) {
       const GainFit& f = fits[static_cast<std::size_t>(j)];
-      if (!(f.deviation < kRelative * std::abs(f.gain))) continue;
-      if (!(f.friction < (f.gain < 0 ? kSignFriction : kFriction))) continue;
+      if (!(f.deviation < kRelative * std::abs(f.gain)) || !(f.friction < (f.gain < 0 ? kSignFriction : kFriction))) {
+        if (f.opposite > kOpposite) turned.push_back(j);
+        continue;
+      }
       known.push_back(j);
       const bool wrong = f.gain < 0 || std::abs(std::log(f.gain)) > kOff + kOffByFriction * f.friction;
       if (wrong && std::abs(f.gain - 1) > kSure * f.deviation) off.push_back(j);
     }
-    if (off.empty()) return;
+    if (off.empty() && turned.empty()) return;
     const auto cost_of = [&](const Eigen::VectorXd& k, int parameters) {
       Explained scaled = data;
       for (Eigen::Index j = 0; j < n; ++j) {
@@ -393,12 +398,6 @@ class TorqueJudge {
       return fit_.fit(scaled, parameters).cost;
     };
     // The same for all?
-    const auto common_of = [&](const Eigen::VectorXd& unit) {
-      std::vector<double> values;
-      for (const Eigen::Index j : known) values.push_back(fits[static_cast<std::size_t>(j)].gain / unit[j]);
-      std::sort(values.begin(), values.end());
-      return values[values.size() / 2];
-    };
     const auto all_near = [&](const Eigen::VectorXd& unit, double tolerance) {
       return known.size() > 1 && std::all_of(known.begin(), known.end(), [&](Eigen::Index j) {
                return near(fits[static_cast<std::size_t>(j)].gain, unit[j], tolerance);
@@ -426,19 +425,25 @@ class TorqueJudge {
         return;
       }
     }
-    const double common = common_of(ones);
+    std::vector<double> values;
+    for (const Eigen::Index j : known) values.push_back(fits[static_cast<std::size_t>(j)].gain);
+    std::sort(values.begin(), values.end());
+    const double common = known.empty() ? 1 : values[values.size() / 2];
     if (all_near(common * ones, kCommon))
       offer(cost_of(common * ones, 1), Fault::TorqueUnit,
             say("all joints' torque is %.3g times what the arm needs", common), advice_.gains(given_.gains / common));
     Eigen::VectorXd k = ones;
-    std::string sizes;
+    std::string sizes, what;
     for (const Eigen::Index j : off) {
       const GainFit& f = fits[static_cast<std::size_t>(j)];
       k[j] = f.gain;
       sizes += (sizes.empty() ? "" : ", ") + say("%.2f +- %.2f", f.gain, f.deviation);
     }
-    offer(cost_of(k, static_cast<int>(off.size())), Fault::Gain,
-          "the torque of joint " + list(off) + " is " + sizes + " times what the arm needs",
+    if (!off.empty()) what = "the torque of joint " + list(off) + " is " + sizes + " times what the arm needs";
+    for (const Eigen::Index j : turned) k[j] = -1;
+    if (!turned.empty())
+      what += (off.empty() ? "" : ", and ") + ("the torque of joint " + list(turned)) + " has the opposite sign";
+    offer(cost_of(k, static_cast<int>(off.size() + turned.size())), Fault::Gain, what,
           advice_.gains(given_.gains.cwiseQuotient(k)));
   }
 

@@ -177,19 +177,22 @@ std::vector<GainFit> TorqueFit::fit_gains(const Explained& data) const {
     Columns columns = own(data, j);
     columns.add(data.base.col(j), true);
     GainFit best;
-    double least = 0;
+    double least = 0, opposite = 0;
+    const double floor = kFloor * kFloor * mean_square(data.tau.col(j));
     for (const double sign : {1.0, -1.0}) {  // friction has the torque's sign
       const Solution found = least_squares(columns, sign * data.tau.col(j), w);
       const double square = mean_square(found.left, w);
+      if (sign < 0) opposite = 0.5 * samples_ * std::log((least + floor) / (square + floor));
       if (sign < 0 && !(square < least)) continue;
       least = square;
       const Eigen::Index last = found.x.size() - 1;
       const double gain = found.x[last], spread = (data.base.col(j).array() - data.base.col(j).mean()).matrix().norm();
       const Eigen::VectorXd friction = friction_of(columns, found.x);
-      const double variance = (square + kFloor * kFloor * mean_square(data.tau.col(j))) * w.sum() / samples_;
+      const double variance = (square + floor) * w.sum() / samples_;
       best = {sign * gain, std::sqrt(variance * found.covariance(last, last)),
-              gain > 0 && spread > 0 ? friction.norm() / (gain * spread) : 1e9};
+              gain > 0 && spread > 0 ? friction.norm() / (gain * spread) : 1e9, 0};
     }
+    best.opposite = opposite;
     out.push_back(best);
   }
   return out;

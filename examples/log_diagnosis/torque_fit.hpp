@@ -28,6 +28,8 @@ struct FitQuality {
 struct GainFit {
   double gain = 1, deviation = 1e9;  ///< least squares, and its standard deviation
   double friction = 0;               ///< rms of friction over that of the model's share times the gain
+  double opposite =
+      0;  ///< by how much the opposite sign is likelier, friction included: it never drives a joint [nats]
 };
 
 /// Fits with errors that last for half a second; and with friction that is known to a quarter, so that a joint whose

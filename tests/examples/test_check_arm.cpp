@@ -146,6 +146,12 @@ TEST_CASE("check_arm: more noise, a larger error is promised", "[check_arm]") {
   // Means over 5 samples of 0.02 N m, a lever of half a metre: a gram or two; friction is known to 0.05 N m or 10 g.
   CHECK(quiet.error < 0.03);
   CHECK_THAT(quiet.text, contains("false payloads: 0 in 12 s") && contains("lightest payload that is found in 95 %"));
+  // One recording knows only its day.
+  const TemporaryFile one("one.csv", recording(Shown())), other("other.csv", recording(Shown()));
+  const std::string options = "--preset joint_friction --bandwidth 0 ",
+                    day = "one recording shows nothing of what differs";
+  CHECK_THAT(check(options + one.name).text, contains(day));
+  CHECK_THAT(check(options + one.name + " " + other.name).text, contains("the promise") && !contains(day));
 }
 
 TEST_CASE("check_arm: settings whose intervals hold too seldom are widened, and it says so", "[check_arm]") {

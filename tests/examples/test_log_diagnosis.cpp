@@ -206,6 +206,26 @@ TEST_CASE("diagnose: logs of arms with errors, friction and noise are right", "[
   }
 }
 
+TEST_CASE("diagnose: friction alone shows the sign of a joint's torque, since it never drives a joint",
+          "[log_diagnosis]") {
+  Truth heavy_gears;  // friction of more than the model's torque, which differs by 30 % from that of the arm
+  heavy_gears.error = 0.3;
+  heavy_gears.coulomb = 2;
+  heavy_gears.viscous = 3;
+  for (unsigned seed = 5; seed < 11; ++seed) {
+    Recording<6> log = recording<6>(heavy_gears, seed);
+    CAPTURE(seed, diagnosis_of(log).sentence());
+    CHECK(diagnosis_of(log).usable());
+    const int turned = static_cast<int>(seed) % 6;
+    for (auto& tau : log.read.log.tau) tau[turned] *= -1;
+    const Diagnosis found = diagnosis_of(log);
+    CAPTURE(turned, found.sentence());
+    REQUIRE(found.findings.size() == 1);
+    CHECK(found.findings[0].fault == Fault::Gain);
+    CHECK(mended(log, found.options()).usable());
+  }
+}
+
 TEST_CASE("diagnose: a load is found with its mass and centre, and is no fault if the hand may hold something",
           "[log_diagnosis]") {
   Truth truth;

@@ -96,7 +96,7 @@ class EnumeratedStories {
     };
     double gain = 0;
     for (int j = 0; j < Dofs; ++j) gain += p.star.joint(j).covariance(kGain, kGain) / Dofs;
-    const double off = kind.draws && gain < 0.01 * 0.01 ? Transitions::kGainsOff : 0;
+    const double off = kind.draws && gain < 0.01 * 0.01 ? Transitions::kGainsOff / std::pow(p.next, 2) : 0;
     const auto drawn = [&](double probability, bool late) {
       const bool from_the_hand = p.mode == Mode::Empty || p.mode == Mode::Changing;
       const double hangs = from_the_hand ? Transitions::kHangs * kind.faint : 0;

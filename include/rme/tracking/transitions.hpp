@@ -51,7 +51,8 @@ struct Transitions {
   static constexpr double kTurnsOut = 0.01;     ///< a disturbance turns out to be a change, or the other way round
   static constexpr double kIsLate = 0.01;       ///< a change shows that the observer is not as stated
   static constexpr double kOffGain = 0.02;      ///< relative error of the torque's gains that are off
-  static constexpr double kGainsOff = 3e-4;     ///< a payload shows that the torque's gains are off
+  static constexpr double kGainsOff = 1e-3;  ///< the first payload shows that the torque's gains are off; an arm whose
+                                             ///< first k have not is less likely to be one: (k + 1)^-2 times as much
   /// Standard deviation of the lag then, in time constants of the stated observer. One that is in truth half or twice as
   /// fast has a lag of 1 or -0.5.
   static constexpr double kLate = 0.5;
@@ -90,8 +91,8 @@ struct Transitions {
       t.how = how;
       use(t);
     };
-    const double off =
-        kind.draws && story.star.nuisance_variance(kGain) < Scalar(0.25 * kOffGain * kOffGain) ? kGainsOff : 0;
+    const bool exact = story.star.nuisance_variance(kGain) < Scalar(0.25 * kOffGain * kOffGain);
+    const double off = kind.draws && exact ? kGainsOff / (1.0 * story.next * story.next) : 0;
     const auto drawn = [&](double probability, double hangs, bool late) {  // it swings from the start, or it does not
       Transition t = to(Mode::Held, probability * (1 - hangs - off));
       t.anew = true;
