@@ -54,10 +54,10 @@ struct SensingKind {
 inline constexpr std::array<SensingKind, kSensings> kSensingKinds = {{
     // evidence friction lag tool; residual least largest way; turn creep creep_at_rest stiction turn_noise stop_noise
     // slow; own common size memory settles; change takes_up jolt slowly faint depth; tails spread gain quiet draws
-    {-8, 0, 0.05, 0.003, 0.015, 0.005, 0.1,  0.7, 0, 0,  0, 0, 0, 0, 0,   4,
-     0,  0, 0.96, 100,   1e-3,  1e-6,  1e-3, 1,   1, 20, 0, 1, 0, 2, true},
-    {0, 1, 0.05, 0.003, 0.015, 0.005, 0.1,  0.7, 0, 0.05, 0, 0, 0, 0,   0,   4,
-     0, 0, 0.96, 100,   1e-3,  2e-4,  1e-3, 1,   0, 20,   0, 1, 0, 1.5, true},
+    {-8, 0, 0.05, 0.003, 0.015, 0.005, 0.1,  0.7, 0, 0,  0, 0, 0,    0, 0,   4,
+     0,  0, 0.96, 100,   1e-3,  1e-6,  1e-3, 1,   1, 20, 0, 1, 1e-3, 2, true},
+    {0, 1, 0.05, 0.003, 0.015, 0.005, 0.1,  0.7, 0, 0.05, 0, 0, 0,    0,   0,   4,
+     0, 0, 0.96, 100,   1e-3,  2e-4,  1e-3, 1,   0, 20,   0, 1, 1e-3, 1.5, true},
     {-40, 1,   0,   0.003, 0.3,     0.1,    4,    1.2,  1, 0.5, 0.5, 16,  6,    20, 0.003, 0,
      1,   0.5, 0.9, 1e9,   1.25e-5, 2.5e-5, 1e-2, 0.01, 0, 25,  8,   1.5, 0.02, 0,  false},
 }};

@@ -51,7 +51,7 @@ struct Transitions {
   static constexpr double kTurnsOut = 0.01;     ///< a disturbance turns out to be a change, or the other way round
   static constexpr double kIsLate = 0.01;       ///< a change shows that the observer is not as stated
   static constexpr double kOffGain = 0.02;      ///< relative error of the torque's gains that are off
-  static constexpr double kGainsOff = 1e-3;  ///< the first payload shows that the torque's gains are off; an arm whose
+  static constexpr double kGainsOff = 6e-4;  ///< the first payload shows that the torque's gains are off; an arm whose
                                              ///< first k have not is less likely to be one: (k + 1)^-2 times as much
   /// Standard deviation of the lag then, in time constants of the stated observer. One that is in truth half or twice as
   /// fast has a lag of 1 or -0.5.
