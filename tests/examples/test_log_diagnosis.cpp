@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <fstream>
 #include <random>
 #include <string>
 #include <synthetic_arm/panda.hpp>
@@ -8,6 +7,7 @@
 
 #include "damaged_logs/damage.hpp"
 #include "support/catch.hpp"
+#include "support/program.hpp"
 
 namespace {
 
@@ -123,8 +123,8 @@ std::vector<std::string> words_of(const std::string& line) {
 /// What is said of the damaged log if it is read with the options that are to mend it.
 template <int Dofs>
 Diagnosis mended(const Recording<Dofs>& damaged, const std::string& options) {
-  const std::string file = "mended_" + std::to_string(Dofs) + ".csv";
-  std::ofstream(file) << csv_of(damaged.read.log);
+  const rme::testing::TemporaryFile mended_log("mended.csv", csv_of(damaged.read.log));
+  const std::string& file = mended_log.name;
   std::vector<std::string> words = words_of("program " + options);
   std::vector<const char*> pointers;
   for (const std::string& word : words) pointers.push_back(word.c_str());
@@ -144,7 +144,6 @@ Diagnosis mended(const Recording<Dofs>& damaged, const std::string& options) {
   again.arm.lacks_gravity = arguments.flag("--tau-lacks-gravity");
   arguments.finish();
   again.read = read_formatted_log<Dofs>(file, format, std::vector<std::string>(Dofs));
-  std::remove(file.c_str());
   return diagnose(again.read, again.arm, again.config, format, false);
 }
 

@@ -35,17 +35,16 @@ struct Rate {
   template <int Before = 0>
   void drift(Star& star, Scalar dt, const Matrix4<Scalar>& Q, Scalar own = Scalar(0)) noexcept {
     // x changes by d = (noise, dt r + noise).
-    constexpr int kFirst = kHeldShared - Before, kSize = Before + 4;
-    Eigen::Matrix<Scalar, kSize, 1> mean_move = Eigen::Matrix<Scalar, kSize, 1>::Zero();
-    Eigen::Matrix<Scalar, kSize, kSize> moves = Eigen::Matrix<Scalar, kSize, kSize>::Zero();
-    Eigen::Matrix<Scalar, kShared, kSize> with_x = Eigen::Matrix<Scalar, kShared, kSize>::Zero();
+    Eigen::Matrix<Scalar, Before + 4, 1> mean_move = Eigen::Matrix<Scalar, Before + 4, 1>::Zero();
+    Eigen::Matrix<Scalar, Before + 4, Before + 4> moves = Eigen::Matrix<Scalar, Before + 4, Before + 4>::Zero();
+    Eigen::Matrix<Scalar, kShared, Before + 4> with_x = Eigen::Matrix<Scalar, kShared, Before + 4>::Zero();
     for (int i = 0; i < Before; ++i) moves(i, i) = own;
     for (int k = 0; k < 4; ++k) {
       mean_move[Before + k] = dt * mean[k];
       for (int i = 0; i < 4; ++i) moves(Before + i, Before + k) = Q(i, k) + dt * dt * covariance(i, k);
       for (int i = 0; i < kShared; ++i) with_x(i, Before + k) = dt * cross(i, k);
     }
-    if (!star.template add<kFirst>(mean_move, moves, with_x)) return;
+    if (!star.template add<kHeldShared - Before>(mean_move, moves, with_x)) return;
     for (int k = 0; k < 4; ++k)
       for (int i = 0; i < 4; ++i) cross(kHeldShared + i, k) += dt * covariance(i, k);
   }
