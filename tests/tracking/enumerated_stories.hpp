@@ -152,8 +152,8 @@ class EnumeratedStories {
             to(Mode::Changing));
       child(Transitions::kTurnsOut, disturbed(Disturbing::Hand));
       const bool late = kind.lag > 0 && p.star.variance(kLag) < Transitions::kLate * Transitions::kLate;
-      drawn(Transitions::kSettles * (late ? 1 - Transitions::kIsLate : 1), false);
-      if (late) drawn(Transitions::kSettles * Transitions::kIsLate, true);
+      drawn(Transitions::kSettles * (late ? 1 - Transitions::kIsLate / std::pow(p.next, 2) : 1), false);
+      if (late) drawn(Transitions::kSettles * Transitions::kIsLate / std::pow(p.next, 2), true);
       child(Transitions::kEmpties, to(Mode::Empty));
     } else {
       const bool jolt = p.how == Disturbing::Jolt, soft = p.how == Disturbing::Growing || p.how == Disturbing::Still;

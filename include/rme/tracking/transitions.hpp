@@ -49,10 +49,9 @@ struct Transitions {
   static constexpr double kOther = 0.02;        ///< a wrench trembles like a hand's from now on
   static constexpr double kSoftOther = 0.005;   ///< a wrench grows along itself, or stays as it is, from now on
   static constexpr double kTurnsOut = 0.01;     ///< a disturbance turns out to be a change, or the other way round
-  static constexpr double kIsLate = 0.01;       ///< a change shows that the observer is not as stated
+  static constexpr double kIsLate = 0.01;       ///< the first change shows that the observer is not as stated
   static constexpr double kOffGain = 0.02;      ///< relative error of the torque's gains that are off
-  static constexpr double kGainsOff = 6e-4;  ///< the first payload shows that the torque's gains are off; an arm whose
-                                             ///< first k have not is less likely to be one: (k + 1)^-2 times as much
+  static constexpr double kGainsOff = 6e-4;     ///< the first payload shows that the torque's gains are off
   /// Standard deviation of the lag then, in time constants of the stated observer. One that is in truth half or twice as
   /// fast has a lag of 1 or -0.5.
   static constexpr double kLate = 0.5;
@@ -91,8 +90,10 @@ struct Transitions {
       t.how = how;
       use(t);
     };
+    // What is not as stated of an arm is so from the first payload on: the k-th one shows it with k^-2 of the probability.
+    const double first = 1.0 / (1.0 * story.next * story.next);
     const bool exact = story.star.nuisance_variance(kGain) < Scalar(0.25 * kOffGain * kOffGain);
-    const double off = kind.draws && exact ? kGainsOff / (1.0 * story.next * story.next) : 0;
+    const double off = kind.draws && exact ? kGainsOff * first : 0;
     const auto drawn = [&](double probability, double hangs, bool late) {  // it swings from the start, or it does not
       Transition t = to(Mode::Held, probability * (1 - hangs - off));
       t.anew = true;
@@ -167,10 +168,11 @@ struct Transitions {
       }
       case Mode::Changing: {
         const bool may_be_late = kind.lag > 0 && story.star.variance(kLag) < Scalar(kLate * kLate);
+        const double is_late = may_be_late ? kIsLate * first : 0;
         goes_on(1 - kSettles - kEmpties - kTurnsOut - kZeroes);
         disturbed(kTurnsOut, Disturbing::Hand);
-        drawn(kSettles * (may_be_late ? 1 - kIsLate : 1), hangs, false);
-        if (may_be_late) drawn(kSettles * kIsLate, hangs, true);
+        drawn(kSettles * (1 - is_late), hangs, false);
+        if (may_be_late) drawn(kSettles * is_late, hangs, true);
         use(to(Mode::Empty, kEmpties));
         break;
       }
