@@ -426,6 +426,7 @@ class TorqueJudge {
       }
     }
     std::vector<double> values;
+    values.reserve(known.size());
     for (const Eigen::Index j : known) values.push_back(fits[static_cast<std::size_t>(j)].gain);
     std::sort(values.begin(), values.end());
     const double common = known.empty() ? 1 : values[values.size() / 2];

@@ -148,6 +148,7 @@ FitQuality TorqueFit::fit_shared(const Explained& data, const std::vector<Eigen:
       std::fill(nuisance.positive.begin(), nuisance.positive.end(), false);
       std::fill(nuisance.most.begin(), nuisance.most.end(), 1e300);
       std::vector<Eigen::VectorXd> projected;
+      projected.reserve(shared.size());
       for (const Eigen::MatrixXd& column : shared) projected.push_back(least_squares(nuisance, column.col(j), w).left);
       const Eigen::VectorXd y = data.tau.col(j) - data.base.col(j);
       const double precision =
