@@ -36,9 +36,7 @@ class StoryFilter {
   /// Parameters as in Tracker; `kind` is the row of the kind assumed.
   StoryFilter(const SensingKind& kind, const ArmPrior<Scalar, Dofs>& arm, const PayloadPrior<Scalar>& payload,
               Scalar rated_payload, const Vector3<Scalar>& gravity) noexcept
-      : model_(kind, arm, rated_payload,
-               detail::dot(payload.com_mean, payload.com_mean) + detail::dot(payload.com_std, payload.com_std),
-               gravity),
+      : model_(kind, arm, rated_payload, payload.square_arm(), gravity),
         payload_(payload),
         rated_(rated_payload),
         tails_(static_cast<Scalar>(kind.tails)),
