@@ -96,7 +96,7 @@ class Estimator {
   /// once the arm has moved.
   void tare() noexcept;
   /// Says that the payload is about to change, for example because the gripper closes or opens. For 0.3 s, a change then
-  /// has as much prior probability as everything else together.
+  /// has as much prior probability as everything else together, and blocks are not made longer for the noise of dq.
   void expect_change() noexcept { expected_ = kExpected; }
   /// Says whether the arm is in contact. While it is, nothing is learned, and the estimate stays as it is. The removal
   /// guard still works: it reduces the compensation if the payload's weight is missing, since the object may have been
@@ -216,6 +216,7 @@ Status Estimator<Scalar, Dofs>::update(const Proprioception<Scalar, Dofs>& in) n
   expected_ = std::max(0.0, expected_ - dt);
   // With a Jacobian of zeros, tau_ext does not depend on the payload.
   if (complete && !contact_ && in.jacobian.squaredNorm() > 0) tracker_.begin(averager_.block(), expected_ > 0);
+  if (complete && expected_ > 0) averager_.hurry();
   process();
   return Status::Ok;
 }

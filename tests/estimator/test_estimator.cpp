@@ -601,6 +601,27 @@ TEST_CASE("Estimator: what is handed over within 0.2 s after expect_change() is 
   }
 }
 
+TEST_CASE("Estimator: with noise of dq, what is handed over after expect_change() is followed as closely as without",
+          "[estimator]") {
+  double square[] = {0, 0};
+  for (const bool noisy : {false, true}) {
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+      CAPTURE(noisy, seed);
+      Bench bench(seed);
+      if (noisy) bench.dq_noise = 2e-3;
+      bench.run(1.5);
+      bench.estimator.expect_change();
+      for (int k = 0; k <= 200; ++k) {
+        bench.arm.hold({kObject.mass * k / 200.0, kObject.com});
+        bench.tick();
+        if (k >= 100) square[noisy ? 1 : 0] += std::pow(bench.mass() - kObject.mass * k / 200.0, 2);
+      }
+    }
+  }
+  CAPTURE(square[0], square[1]);
+  CHECK(std::sqrt(square[1] / square[0]) < 1.3);
+}
+
 TEST_CASE("Estimator: an arm that turns shows what one pose hides, and it is remembered", "[estimator]") {
   // At rest nothing tells where the centre of mass lies along gravity; turned by a right angle, it does.
   const Payload<double> object = {1.0, {0.06, -0.02, 0.16}};

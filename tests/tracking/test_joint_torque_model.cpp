@@ -1,6 +1,7 @@
 #include <cmath>
 #include <random>
 #include <rme/tracking/joint_torque_model.hpp>
+#include <tuple>
 
 #include "support/catch.hpp"
 #include "tracking/joint_scene.hpp"
@@ -53,18 +54,19 @@ TEST_CASE("JointTorqueModel: a timing error of 0.6 ms and the torque's resolutio
   }
 }
 
-TEST_CASE("JointTorqueModel: a block half as long as usual has twice the noise", "[joint_torque]") {
+TEST_CASE("JointTorqueModel: a block that is shorter than usual has more noise, in proportion", "[joint_torque]") {
   Model model = make_model(Sensing::LinkSide);
   Regime regime;
   Block block = at_rest();
-  for (const bool begins : {false, true}) {
-    block.begins = begins;
-    block.duration = begins ? 0.01 : 0.02;
+  for (const auto& [usual, duration, times] :
+       {std::tuple(0.0, 0.02, 1.0), std::tuple(0.02, 0.01, 2.0), std::tuple(0.05, 0.02, 2.5)}) {
+    block.usual = usual;
+    block.duration = duration;
     regime.update(block);
     model.begin(block, regime);
     for (int j = 0; j < kDofs; ++j) {
-      CAPTURE(begins, j);
-      CHECK(model.observation(j, {}).noise == Approx((begins ? 2 : 1) * model.noise().variance(j)).epsilon(1e-12));
+      CAPTURE(usual, duration, j);
+      CHECK(model.observation(j, {}).noise == Approx(times * model.noise().variance(j)).epsilon(1e-12));
     }
   }
 }

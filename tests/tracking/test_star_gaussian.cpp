@@ -243,7 +243,7 @@ TEST_CASE("StarGaussian: what changes the payload or the tool keeps the moments 
     Matrix T = Matrix::Identity(kAll, kAll);
     for (int i = 0; i < 4; ++i) T(kTool + i, kPayload + i) = T(kTool + i, kPoured + i) = 1;
     changed = star;
-    rme::Pour<double, kJoints>::end(changed);
+    rme::Pour<double, kJoints>().end(changed);
     changed.payload_is_tool();
     CHECK(difference(dense(changed), mapped(oracle::product(emptying(), T), before)) < 1e-9);
     CHECK(changed.empty());

@@ -20,7 +20,7 @@ TEST_CASE("Story: settled, nothing pours or swings any more, and the tool is wha
     const double poured = story.star.poured_mass(), mass = story.star.mass();
     CHECK(poured != 0);
     if (swings) {
-      rme::Pour<double, kJoints>::end(story.star);
+      rme::Pour<double, kJoints>().end(story.star);
       story.swing.begin(story.star, 5, true, rme::Vector4<double>::Ones());
       for (int k = 0; k < 9; ++k)
         story.star.observe(k % kJoints, story.star.predict(k % kJoints, random_observation(random)));

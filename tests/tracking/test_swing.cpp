@@ -66,7 +66,7 @@ TEST_CASE("Swing: it begins and ends with the moments of every pair, and is no p
   for (int k = 0; k < 20; ++k) {
     CAPTURE(k);
     Star star = random_star(random);
-    rme::Pour<double, kDofs>::end(star);
+    rme::Pour<double, kDofs>().end(star);
     // It begins to swing, whatever else is known: just now, or before.
     const bool goes = k % 4 < 2;
     const double weight = 1 + random_vector(random, 1).cwiseAbs2()[0];

@@ -104,10 +104,40 @@ TEST_CASE("BlockAverager: after restart() comes a short block, and nothing is in
     CHECK((blocks[i].tau - (i < 2 ? before : after)).norm() < 1e-11);
     CHECK(blocks[i].end == Approx(ends[i]).epsilon(1e-12));
     CHECK(blocks[i].duration == Approx(durations[i]).epsilon(1e-12));
-    CHECK(blocks[i].begins == (i == 2));
+    CHECK(blocks[i].usual == (i == 2 ? 0.02 : 0));
     CHECK(blocks[i].skipped == Approx(i == 2 ? 0.014 : 0).margin(1e-12));
     CHECK(blocks[i].elapsed() == Approx(ends[i] - (i > 0 ? ends[i - 1] : 0)).epsilon(1e-12));
   }
+}
+
+TEST_CASE(
+    "BlockAverager: with noise of dq, a block after hurry() is 20 ms long, and one after restart() half as long as "
+    "others",
+    "[block]") {
+  const unsigned seed = 533;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  Averager averager(50, kGravity);
+  Sample s = at_rest();
+  std::vector<Block> blocks;
+  for (int k = 0; blocks.size() < 104; ++k) {
+    s.dq = Joints::NullaryExpr([&] { return 2e-3 * normal(random); });
+    if (!averager.add(s, 1e-3, 1e-3 * k)) continue;
+    blocks.push_back(averager.block());
+    if (blocks.size() == 100) averager.hurry();
+    if (blocks.size() == 102) averager.restart();
+  }
+  const double usual = blocks[99].duration;
+  CHECK(usual > 0.03);
+  CHECK(blocks[99].usual == 0);
+  CHECK(blocks[100].duration == Approx(0.02).epsilon(1e-12));
+  CHECK(std::abs(blocks[100].usual - usual) < 2e-3);
+  CHECK(blocks[100].skipped == 0);
+  CHECK(std::abs(blocks[101].duration - usual) < 2e-3);
+  CHECK(blocks[101].usual == 0);
+  CHECK(std::abs(blocks[102].duration - 0.5 * usual) < 2e-3);
+  CHECK(std::abs(blocks[102].usual - usual) < 2e-3);
 }
 
 TEST_CASE("BlockAverager: a host with one sample per block has no shorter ones after restart()", "[block]") {
@@ -117,7 +147,7 @@ TEST_CASE("BlockAverager: a host with one sample per block has no shorter ones a
     CHECK(averager.add(s, 0.02, 0.02 * k) == (k > 0));
     if (k == 3) averager.restart();
     if (k == 0) continue;
-    CHECK_FALSE(averager.block().begins);
+    CHECK(averager.block().usual == 0);
     CHECK(averager.block().duration == Approx(0.02).epsilon(1e-12));
   }
 }

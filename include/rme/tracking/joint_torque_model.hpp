@@ -192,7 +192,7 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   // inversion leaves a share of every change of the torque.
   const Scalar share = Scalar(kTiming) / block.duration;
   // In a block half as long as those from which noise is learned, white noise has twice the variance.
-  const Scalar again = Scalar(block.begins ? 1 : 0);
+  const Scalar again = block.usual > 0 ? block.usual / block.duration - 1 : Scalar(0);
   for (int j = 0; j < Dofs; ++j) {
     const Scalar change = started_ ? share * (block.tau[j] - block_.tau[j]) : Scalar(0), step = block.torque_step[j];
     // A quantised torque is constant between two steps, so its rounding error stays the same for many blocks.

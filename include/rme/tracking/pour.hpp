@@ -59,10 +59,11 @@ class Pour {
     quick_ = quick;
     star.extend(Star::Last::Poured);
     rate_ = {};
+    waits_ = Scalar(0);
     rate_.covariance = stationary(star, prior, rated_payload);
   }
   /// Time update of the rate, an Ornstein-Uhlenbeck process about zero, and of the payload, which it changes. Nothing is
-  /// known of the inertia of what is poured but its size: that of the mass.
+  /// known of the inertia of what is poured but its size: that of the mass. Its noise waits until it shows: it is dear.
   /// @param star           state; an empty hand begins to hold something
   /// @param duration       of the block [s]
   /// @param prior          of what may be held
@@ -81,7 +82,15 @@ class Pour {
     const Scalar grows = more * (2 * star.poured_mass() + more) + flow(0, 0) +
                          duration * (2 * rate_.cross(kPoured, 0) + duration * rate_.covariance(0, 0));
     const Scalar arm = prior.square_arm();
-    rate_.template drift<kInertial - 4>(star, duration, flow, arm * arm * std::max(Scalar(0), grows));
+    waits_ += arm * arm * std::max(Scalar(0), grows);
+    bool shows = false;
+    for (int i = 4; i < kInertial; ++i) shows = shows || waits_ > Scalar(kShows) * star.variance(kPayload + i);
+    if (shows) {
+      rate_.template drift<kInertial - 4>(star, duration, flow, waits_);
+      waits_ = Scalar(0);
+    } else {
+      rate_.drift(star, duration, flow);
+    }
   }
   /// Updates the rate with an observation; to be called before star.observe(j, p).
   void observe(const Star& star, const typename Star::Prediction& p) noexcept { rate_.observe(star, p); }
@@ -103,8 +112,12 @@ class Pour {
   }
   Scalar rate() const noexcept { return rate_.mean[0]; }  ///< of the mass [kg/s]
   /// What has been poured so far becomes part of the payload's phi. Each beta_j keeps its moments with it.
-  static void end(Star& star) noexcept {
-    if (star.last() == Star::Last::Poured) star.merge_poured();
+  void end(Star& star) noexcept {
+    if (star.last() != Star::Last::Poured) return;
+    star.merge_poured();
+    if (waits_ > 0)
+      star.template widen<kPayload + 4, kInertial - 4>(Eigen::Matrix<Scalar, kInertial - 4, 1>::Constant(waits_));
+    waits_ = Scalar(0);
   }
 
  private:
@@ -135,11 +148,13 @@ class Pour {
     }
     return out;
   }
+  static constexpr double kShows = 0.1;       // share of an inertia's variance from which further noise counts
   static constexpr double kLightest = 0.007;  // mass from which the payload's centre is known, per rated payload
 
   Scalar sigma_of() const noexcept { return static_cast<Scalar>(quick_ ? kQuickRate : kRate); }
   bool quick_ = false;
   Rate<Scalar, Dofs> rate_;
+  Scalar waits_ = Scalar(0);  // variance that the entries of the inertia are still to get [(kg m^2)^2]
 };
 
 }  // namespace rme

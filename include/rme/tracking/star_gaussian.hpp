@@ -258,12 +258,7 @@ class StarGaussian {
   }
   /// What has been poured becomes part of the payload's phi.
   void merge_poured() noexcept {
-    for (int i = 0; i < 4; ++i) {
-      mean_[kPayload + i] += mean_[kPoured + i];
-      for (int k = 0; k < kShared; ++k) factor_(kPayload + i, k) += factor_(kPoured + i, k);
-      for (Joint& joint : joints_)
-        for (int n = 0; n < kJointNuisances; ++n) joint.slope(kPoured + i, n) -= joint.slope(kPayload + i, n);
-    }
+    count_as<kPayload, kPoured>();
     forget_last();
   }
   /// Marginalises the last entries of x: they are zero afterwards.
@@ -312,29 +307,14 @@ class StarGaussian {
       log_density -= Scalar(0.5) * (p.innovation * p.innovation / p.variance + std::log(p.variance));
       observe_shared<kHeldShared>(p);
     }
-    XMatrix arm = covariance();
-    for (int i = 0; i < kShared; ++i) {
-      for (int k = 0; k < kShared; ++k)
-        if (i >= kArmShared || k >= kArmShared) arm(i, k) = Scalar(0);
-      if (i < kArmShared) continue;
-      mean_[i] = Scalar(0);
-      for (Joint& joint : joints_)
-        for (int n = 0; n < kJointNuisances; ++n) joint.slope(i, n) = Scalar(0);
-    }
-    if (const SingularCholesky<Scalar, kShared> factor(arm); factor.finite()) factor_ = factor.lower();
+    (void)marginalise<kArmShared, kInertial>();  // nothing of it is unknown any more
     size_ = kArmShared;
     return log_density;
   }
   /// Counts the payload as part of the tool. Nothing may pour or swing. The hand is empty afterwards.
   void payload_is_tool() noexcept {
     if (empty()) return;
-    for (int i = 0; i < 4; ++i) {
-      mean_[kTool + i] += mean_[kPayload + i];
-      for (int k = 0; k < kShared; ++k) factor_(kTool + i, k) += factor_(kPayload + i, k);
-      // beta depends on x as before; in the new x, the payload is what is left of it beside the tool.
-      for (Joint& joint : joints_)
-        for (int n = 0; n < kJointNuisances; ++n) joint.slope(kPayload + i, n) -= joint.slope(kTool + i, n);
-    }
+    count_as<kTool, kPayload>();
     forget_payload();
   }
   /// The offset of joint j turns into what makes the torque of an observation zero.
@@ -369,14 +349,18 @@ class StarGaussian {
   }
   /// Whether the gains of the torque may be off.
   bool gains_off() const noexcept { return nuisance_variance(kGain) > 0; }
-  /// Adds independent noise to what belongs to the arm. Each beta_j keeps its moments with x as they were.
-  /// @param variance  of the noise, in the order of Shared, >= 0
-  void widen_arm(const Eigen::Matrix<Scalar, kArmShared, 1>& variance) noexcept {
-    Eigen::Matrix<Scalar, kArmShared, kArmShared> noise = Eigen::Matrix<Scalar, kArmShared, kArmShared>::Zero();
-    for (int i = 0; i < kArmShared; ++i) noise(i, i) = variance[i];
-    add<0, kArmShared>(Eigen::Matrix<Scalar, kArmShared, 1>::Zero(), noise,
-                       Eigen::Matrix<Scalar, kShared, kArmShared>::Zero());
+  /// Adds independent noise to `Size` entries of x, the first of which is `First`. Each beta_j keeps its moments with x as
+  /// they were.
+  /// @param variance  of the noise of each, >= 0
+  template <int First, int Size>
+  void widen(const Eigen::Matrix<Scalar, Size, 1>& variance) noexcept {
+    Eigen::Matrix<Scalar, Size, Size> noise = Eigen::Matrix<Scalar, Size, Size>::Zero();
+    for (int i = 0; i < Size; ++i) noise(i, i) = variance[i];
+    add<First>(Eigen::Matrix<Scalar, Size, 1>(Eigen::Matrix<Scalar, Size, 1>::Zero()), noise,
+               Eigen::Matrix<Scalar, kShared, Size>(Eigen::Matrix<Scalar, kShared, Size>::Zero()));
   }
+  /// The same of what belongs to the arm, in the order of Shared.
+  void widen_arm(const Eigen::Matrix<Scalar, kArmShared, 1>& variance) noexcept { widen<0, kArmShared>(variance); }
 
   /// Adds a relative error to what is known of the payload: phi becomes (1 + e) phi, e independent of everything else. Each
   /// beta_j keeps its moments with the old x.
@@ -390,6 +374,17 @@ class StarGaussian {
   }
 
  private:
+  /// Adds one (m, m r) of x to another, as whose part it counts from now on. Each beta_j depends on x as before, so in the
+  /// new x it depends on the added one as far as it did so otherwise than on the other.
+  template <int Other, int Added>
+  void count_as() noexcept {
+    for (int i = 0; i < 4; ++i) {
+      mean_[Other + i] += mean_[Added + i];
+      for (int k = 0; k < kShared; ++k) factor_(Other + i, k) += factor_(Added + i, k);
+      for (Joint& joint : joints_)
+        for (int n = 0; n < kJointNuisances; ++n) joint.slope(Added + i, n) -= joint.slope(Other + i, n);
+    }
+  }
   /// Whether something has been poured into entry i of phi.
   bool poured(int i) const noexcept { return i < 4 && last_ == Last::Poured; }
   template <int Size>

@@ -44,7 +44,7 @@ struct Story {
   }
   /// Nothing pours or swings any more; what was poured is part of the payload.
   void settle() noexcept {
-    Pour<Scalar, Dofs>::end(star);
+    pour.end(star);
     swing.end(star);
   }
   /// The name of a payload that is held from now on.

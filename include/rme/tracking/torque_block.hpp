@@ -39,7 +39,8 @@ struct TorqueBlock {
   int samples = 0;                                      ///< number of samples
   /// Time between the last block and this one: that of the samples that restart() has left out [s].
   Scalar skipped = Scalar(0);
-  bool begins = false;  ///< something begins with this block, and it is half as long as usual
+  Scalar usual =
+      Scalar(0);  ///< duration of the blocks from which noise is learned, if it is clearly longer; else 0 [s]
   /// Posterior variance of the flange's linear acceleration in `regressor`, mean over the axes [(m/s^2)^2]. It is a
   /// noise of the torque, m^2 times as large per axis. 0 if the host gives the motion.
   Scalar acceleration_variance = Scalar(0);
@@ -120,11 +121,13 @@ class BlockAverager {
     skipped_ = duration_ + part_duration_;
     begin();
   }
+  /// The current block is not made longer for the noise of dq: what comes is large against it.
+  void hurry() noexcept { hurries_ = true; }
   /// Discards the current block and the last sample. The noise of dq and the resolution of tau_ext are kept.
   void clear() noexcept {
     started_ = false;
     skipped_ = Scalar(0);
-    begins_ = false;
+    begins_ = hurries_ = false;
     for (int j = 0; j < Dofs; ++j) {
       acceleration_[j].interrupt();
       torque_rate_[j].interrupt();
@@ -139,7 +142,9 @@ class BlockAverager {
   static constexpr double kResolved = 0.75;  // velocity that is none, per resolution of dq
   static constexpr double kNoisiest = 1e-4;  // bound of the variance of dq's noise in the first block [(rad/s)^2]
 
-  double intended() const noexcept { return begins_ ? 0.5 * target_ : target_; }  // duration of the current block [s]
+  double intended() const noexcept {  // duration of the current block [s]
+    return begins_ ? 0.5 * target_ : hurries_ ? kDuration : target_;
+  }
   void begin() noexcept;
   void learn_noise() noexcept;
   void shrink() noexcept;
@@ -178,6 +183,7 @@ class BlockAverager {
   int parts_ = 0, differences_ = 0;
   Scalar skipped_ = Scalar(0);  // time left out before it [s]
   bool begins_ = false;         // restart() began it
+  bool hurries_ = false;        // hurry()
   Scalar duration_ = Scalar(0), weight_ = Scalar(0);
   JointVector<Scalar, Dofs> changes_;     // weighted sum of the changes of dq
   JointVector<Scalar, Dofs> unmeasured_;  // the same over the parts whose motion the host does not give
@@ -342,9 +348,10 @@ bool BlockAverager<Scalar, Dofs>::add(const Proprioception<Scalar, Dofs>& sample
   sums_.end = time;
   sums_.duration = duration_;
   sums_.skipped = skipped_;
-  sums_.begins = begins_ && static_cast<double>(duration_) < 0.75 * target_;  // a slow host has no shorter one
+  const bool brief = static_cast<double>(duration_) < 0.75 * target_;  // a slow host has no shorter one
+  sums_.usual = brief ? static_cast<Scalar>(target_) : Scalar(0);
   skipped_ = Scalar(0);
-  begins_ = false;
+  begins_ = hurries_ = false;
   sums_.tau /= weight_;
   sums_.torque_rate /= weight_;
   sums_.regressor /= weight_;
