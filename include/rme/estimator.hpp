@@ -32,9 +32,9 @@ namespace rme {
 ///     tau_command += estimator.compensation(jacobian, rotation);    // through a CompensationRamp
 ///     estimator.state().payload                                     // mass and centre of mass, with covariance
 ///
-/// Real time: no call but the constructor allocates or throws. The children of a block's stories are computed on the tick
-/// that ends it and on the ticks after it: at 1 kHz five on one tick, below 400 Hz all of them. Each costs at most two
-/// updates of a filter of 21 + 5 Dofs unknowns. On all other ticks update() is O(Dofs).
+/// Real time: no call but the constructor allocates or throws. The children of a block's stories are computed on the
+/// tick that ends it and on the ticks after it: at 1 kHz five on one tick, below 400 Hz all of them. Each costs at most
+/// two updates of a filter of 21 + 5 Dofs unknowns. On all other ticks update() is O(Dofs).
 template <typename Scalar, int Dofs>
 class Estimator {
   static_assert(Dofs != Eigen::Dynamic, "Estimator: the number of joints has to be known at compile time");
@@ -67,17 +67,17 @@ class Estimator {
   ///
   ///     tau_comp = -J^T (share c w(payload) + w(tool)),   c = m^2 / (m^2 + std^2)
   ///
-  /// Without a tool that the robot does not know, it is nearly zero for an empty hand. If the payload's weight is suddenly
-  /// missing in tau_ext, the removal guard reduces `share` from 1 towards 0 within milliseconds, before it is known whether
-  /// the object was dropped or lifted (T35). If the pose is not plausible (plausible.hpp), that of the last good sample is
-  /// used.
+  /// Without a tool that the robot does not know, it is nearly zero for an empty hand. If the payload's weight is
+  /// suddenly missing in tau_ext, the removal guard reduces `share` from 1 towards 0 within milliseconds, before it is
+  /// known whether the object was dropped or lifted (T35). If the pose is not plausible (plausible.hpp), that of the
+  /// last good sample is used.
   /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
   /// @param rotation  R, end-effector axes to world axes
   Torque compensation(const Jacobian<Scalar, Dofs>& jacobian, const Matrix3<Scalar>& rotation) const noexcept {
     return payload_torque(jacobian, rotation, FlangeMotion<Scalar>());
   }
-  /// The joint torque that carries payload and tool and moves them [N m], Dofs x 1, for a controller that knows the motion
-  /// that it commands (T10): compensation() if `motion` is zero.
+  /// The joint torque that carries payload and tool and moves them [N m], Dofs x 1, for a controller that knows the
+  /// motion that it commands (T10): compensation() if `motion` is zero.
   /// @param jacobian  J, 6 x Dofs, world axes, linear rows first
   /// @param rotation  R, end-effector axes to world axes
   /// @param motion    of the end effector that is commanded, world axes; if it is not plausible, it counts as zero
@@ -95,8 +95,9 @@ class Estimator {
   /// mass. From then on state().payload is what comes in addition. What was held is carried as before, and known better
   /// once the arm has moved.
   void tare() noexcept;
-  /// Says that the payload is about to change, for example because the gripper closes or opens. For 0.3 s, a change then
-  /// has as much prior probability as everything else together, and blocks are not made longer for the noise of dq.
+  /// Says that the payload is about to change, for example because the gripper closes or opens. For 0.3 s, a change
+  /// then has as much prior probability as everything else together, and blocks are not made longer for the noise of
+  /// dq.
   void expect_change() noexcept { expected_ = kExpected; }
   /// Says whether the arm is in contact. While it is, nothing is learned, and the estimate stays as it is. The removal
   /// guard still works: it reduces the compensation if the payload's weight is missing, since the object may have been

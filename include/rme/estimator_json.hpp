@@ -13,13 +13,13 @@
 
 namespace rme {
 
-/// The settings that a JSON object describes. A missing field has its value in `defaults`; "arm" and "payload" need all of
-/// their fields, but for "friction_std", which is 0.5 if it is missing.
+/// The settings that a JSON object describes. A missing field has its value in `defaults`; "arm" and "payload" need all
+/// of their fields, but for "friction_std", which is 0.5 if it is missing.
 ///
 ///     {"rated_payload": 12.5, "observer_bandwidth": 0, "torque_sign": "reaction", "sensing": "joint_friction",
 ///      "contact_false_alarms": 0.1, "gravity": [0, 0, -9.81],
-///      "arm": {"noise": [..], "offset": [..], "residual": [..], "coulomb": [..], "viscous": [..], "friction_std": 0.3},
-///      "payload": {"mass_mean": 1, "mass_std": 1, "com_mean": [0, 0, 0.1], "com_std": [0.06, 0.06, 0.07]}}
+///      "arm": {"noise": [..], "offset": [..], "residual": [..], "coulomb": [..], "viscous": [..], "friction_std":
+///      0.3}, "payload": {"mass_mean": 1, "mass_std": 1, "com_mean": [0, 0, 0.1], "com_std": [0.06, 0.06, 0.07]}}
 ///
 /// "torque_sign" is "external" or "reaction"; "sensing" is "unknown", "link_side", "joint_friction" or "rough_model".
 /// "model", which check_arm may write, is not read. It names the rigid-body model that belongs to the settings: the

@@ -39,8 +39,8 @@ struct EstimatorState {
   Scalar health = Scalar(1);
   std::array<Scalar, kSensings> sensing{};  ///< probability of each kind of torque sensing (Sensing), sum 1
   /// (m, m r) [kg, kg m] of what the robot's own model lacks at the last link, end-effector axes: the error of its
-  /// tool, learned in motion, and what Estimator::tare() has counted as tool. It is no part of `payload`, and is carried
-  /// with it.
+  /// tool, learned in motion, and what Estimator::tare() has counted as tool. It is no part of `payload`, and is
+  /// carried with it.
   Vector4<Scalar> tool = Vector4<Scalar>::Zero();
   bool changing = false;      ///< an event is going on
   double change_onset = 0;    ///< when the current or the last event began

@@ -81,7 +81,8 @@ Status add_barrier(const BarrierValue<Scalar, Dofs>& barrier, const JointVector<
   return rows.add(barrier.gradient, bound, rows.kFree, weight);
 }
 
-/// A point of the arm in motion, world axes: the input of half_space_barrier() and sphere_barrier() (docs/theory_control.md (C12)).
+/// A point of the arm in motion, world axes: the input of half_space_barrier() and sphere_barrier()
+/// (docs/theory_control.md (C12)).
 template <typename Scalar, int Dofs>
 struct PointMotion {
   Vector3<Scalar> position;                 ///< x [m]

@@ -6,8 +6,8 @@
 
 namespace rme {
 
-/// P = L L^T of a symmetric positive semidefinite matrix; only its lower triangle is read. A direction whose variance is
-/// zero, to within rounding, gets a column of zeros. Real time: Size^3 / 6 multiplications, no allocation.
+/// P = L L^T of a symmetric positive semidefinite matrix; only its lower triangle is read. A direction whose variance
+/// is zero, to within rounding, gets a column of zeros. Real time: Size^3 / 6 multiplications, no allocation.
 template <typename Scalar, int Size>
 class SingularCholesky {
  public:

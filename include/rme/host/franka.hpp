@@ -150,7 +150,8 @@ inline FrankaHandOver franka_hand_over(franka::Robot& robot, PayloadCompensation
   return result;
 }
 
-/// Sets the robot's load, by default to none, when the object has been released or lost. Only between two control loops.
+/// Sets the robot's load, by default to none, when the object has been released or lost. Only between two control
+/// loops.
 inline void franka_clear_load(franka::Robot& robot, PayloadCompensation<double, 7>& payload,
                               const FrankaLoad& load = FrankaLoad()) {
   robot.setLoad(load.mass, load.com, load.inertia);  // throws if it is refused

@@ -7,7 +7,8 @@
 
 namespace rme {
 
-/// For each joint an upper bound of |J_v,j(q)|, the distance of the end-effector origin from its axis, over all poses q.
+/// For each joint an upper bound of |J_v,j(q)|, the distance of the end-effector origin from its axis, over all poses
+/// q.
 ///
 /// In any pose, a chain of points, one on each axis from joint j's to the last and then the end-effector origin, is at
 /// least as long as the distance from axis j to the origin. Two consecutive points are fixed to the same link, so that

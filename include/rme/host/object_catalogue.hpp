@@ -70,8 +70,8 @@ struct ObjectCatalogueConfig {
 ///
 ///     p(object k | y) ~ p(k) int N(phi; object k) p(phi | y) / N(phi; prior) dphi           (T52)
 ///
-/// over phi = (m, m r). The factor after p(k) is the Bayes factor of object k against one that is drawn from the prior, the
-/// Savage-Dickey density ratio. The estimator's prior is divided by, so that it does not count twice.
+/// over phi = (m, m r). The factor after p(k) is the Bayes factor of object k against one that is drawn from the prior,
+/// the Savage-Dickey density ratio. The estimator's prior is divided by, so that it does not count twice.
 ///
 ///     ObjectCatalogue<double, 8> catalogue;                                         // may throw: before the loop
 ///     catalogue.add("cup", 0.31, 0.01);                                             // only its mass is known
@@ -79,8 +79,8 @@ struct ObjectCatalogueConfig {
 ///     if (const auto held = catalogue.identify(estimator.state()); held.holding == Holding::Known)
 ///       use(catalogue.name(held.index));
 ///
-/// Real time: identify() allocates nothing and throws nothing; its work is that of some Capacity + 2 decompositions of a
-/// 4x4 matrix.
+/// Real time: identify() allocates nothing and throws nothing; its work is that of some Capacity + 2 decompositions of
+/// a 4x4 matrix.
 template <typename Scalar, int Capacity>
 class ObjectCatalogue {
   static_assert(Capacity >= 1, "ObjectCatalogue: there is room for objects");

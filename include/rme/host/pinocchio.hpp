@@ -1,6 +1,6 @@
 #pragma once
-/// For controllers with Pinocchio (2.6 or newer): the estimator's input from joint positions, velocities and torques, with
-/// Pinocchio's model of the arm. Needs Pinocchio; rme.hpp does not include it.
+/// For controllers with Pinocchio (2.6 or newer): the estimator's input from joint positions, velocities and torques,
+/// with Pinocchio's model of the arm. Needs Pinocchio; rme.hpp does not include it.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -58,16 +58,16 @@ struct PayloadBox {
   Vector3<Scalar> com_lower =
       Vector3<Scalar>::Zero();  ///< of the centre of mass r [m]; as stated if m may be 0, or is unbounded
   Vector3<Scalar> com_upper = Vector3<Scalar>::Zero();  ///< [m]
-  /// The least factor by which all stated bounds (not those of mass and centre of mass) could be multiplied so that some
-  /// payload still agrees with every reading, >= 0. Above 1 the enclosure is empty: some bound was violated.
+  /// The least factor by which all stated bounds (not those of mass and centre of mass) could be multiplied so that
+  /// some payload still agrees with every reading, >= 0. Above 1 the enclosure is empty: some bound was violated.
   Scalar scale = Scalar(0);
 };
 
 /// The set of all payloads phi = (m, m r) that agree with the readings (docs/theory.md (T46) to (T48)). A payload at
 /// rest is linear in phi, so the set is a polytope. That of the *differences* of readings needs no bound on the offset:
 /// what is the same before and after an attachment cancels. The errors are eliminated exactly: a payload is in the
-/// set if and only if some errors within the bounds explain all readings together. With gain > 0 that holds for one pose;
-/// over several poses the set may be larger than needed, never smaller.
+/// set if and only if some errors within the bounds explain all readings together. With gain > 0 that holds for one
+/// pose; over several poses the set may be larger than needed, never smaller.
 ///
 /// The pose of an object in the hand, and the object, must not change between loaded readings. "The same pose" means
 /// that the arm may sag, as long as the change of the link error stays within `drift`.
@@ -111,9 +111,9 @@ class PayloadEnclosure {
   ///         Unbounded, but an end is infinite because there were too few steps
   Status solve(PayloadBox<Scalar>& box) noexcept;
 
-  /// The worst cases of quantities that are linear in phi: least and largest map phi over the set, each row by itself. To
-  /// be called after solve(), each tick if need be. With the regressor's rows (see the other overload) it is the torque
-  /// of the payload; with M^-1 times these, what an acceleration that was predicted without it lacks.
+  /// The worst cases of quantities that are linear in phi: least and largest map phi over the set, each row by itself.
+  /// To be called after solve(), each tick if need be. With the regressor's rows (see the other overload) it is the
+  /// torque of the payload; with M^-1 times these, what an acceleration that was predicted without it lacks.
   /// @param map         Rows x 4, for (m, m r)
   /// @param[out] lower  Rows x 1, and
   /// @param[out] upper  are as they were unless the status is Ok or Unbounded: then some end is infinite
@@ -344,8 +344,9 @@ Status PayloadEnclosure<Scalar, Dofs, MaxPoses>::end(const Unknowns& c, Scalar& 
 }
 
 /// The largest sign * r_i = (m r)_i / m over the set (T48), if its lightest payload has a mass above zero. For every
-/// rho, sign * r_i <= rho + max(sign (m r)_i - rho m) / m; with rho of the maximiser the next bound is lower (Dinkelbach,
-/// Management Science 1967). Every step gives a valid bound; the number of steps decides only how close it is.
+/// rho, sign * r_i <= rho + max(sign (m r)_i - rho m) / m; with rho of the maximiser the next bound is lower
+/// (Dinkelbach, Management Science 1967). Every step gives a valid bound; the number of steps decides only how close it
+/// is.
 template <typename Scalar, int Dofs, int MaxPoses>
 Status PayloadEnclosure<Scalar, Dofs, MaxPoses>::com_end(int axis, Scalar sign, Scalar lightest,
                                                          Scalar& upper) noexcept {

@@ -20,7 +20,8 @@ struct PublishedLikelihoodConfig {
 ///
 ///     sigma_j = max(0.25 (max_t tau_j - min_t tau_j), 0.1 N m)     (docs/theory.md (T41))
 ///
-/// It has no offset, no friction and no correlation of the noise. The paper takes the raw tau_ext and the regressor at rest.
+/// It has no offset, no friction and no correlation of the noise. The paper takes the raw tau_ext and the regressor at
+/// rest.
 /// @param count            samples in the window, >= 1; if there are fewer than config.samples, some are taken twice
 /// @param at               callable (int i) -> PayloadObservation, i from 0 to count - 1; tau and regressor are used
 /// @param[out] likelihood  as it was unless the status is Ok

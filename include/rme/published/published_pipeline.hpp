@@ -45,9 +45,9 @@ namespace rme {
 /// move; its first estimate then includes the transient. While samples are collected, the detector is updated, but its
 /// result is ignored.
 ///
-/// The published solver amplifies rounding errors: its steps are about as long as the prior's standard deviations. So a change
-/// of the torque by one part in 10^15 may move the estimate by centimetres. Compilers that round differently give
-/// different estimates from the same seed.
+/// The published solver amplifies rounding errors: its steps are about as long as the prior's standard deviations. So a
+/// change of the torque by one part in 10^15 may move the estimate by centimetres. Compilers that round differently
+/// give different estimates from the same seed.
 ///
 /// The tick that ends a collection runs the whole inference. The published solver takes about half a millisecond for
 /// 2,500 steps on a desktop: too long for the loop of a host. In the paper, it ran in a process of its own and took

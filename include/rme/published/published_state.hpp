@@ -32,8 +32,8 @@ struct PublishedState {
   double detected_at = 0;                           ///< time of the last detection; 0 before the first
   double estimated_at = 0;                          ///< time of the last estimate; 0 before the first
   /// The last estimate: of everything in the hand, not of what was added last [kg, m, m, m]. Its covariance is
-  /// diagonal with the solvers Stochastic and MeanField. Before the first estimate, the mean is zero (an empty hand) and
-  /// the covariance has no meaning.
+  /// diagonal with the solvers Stochastic and MeanField. Before the first estimate, the mean is zero (an empty hand)
+  /// and the covariance has no meaning.
   PayloadGaussian<Scalar> posterior;
   int iterations = 0;  ///< of the solver for the last estimate (InferenceResult::iterations)
   /// How the last inference ended. NotReady: there was none yet. Ok and NotConverged (all steps were taken): the

@@ -13,8 +13,8 @@ namespace rme {
 ///
 ///     log p(s | link k) = -1/2 s^T (V + S_k)^-1 s - 1/2 log det (V + S_k)               (docs/theory.md (T66))
 ///
-/// One call computes that of one link, so that a tick costs O(Dofs^3), and after the last link the probabilities of all.
-/// Nothing allocates or throws.
+/// One call computes that of one link, so that a tick costs O(Dofs^3), and after the last link the probabilities of
+/// all. Nothing allocates or throws.
 template <typename Scalar, int Dofs>
 class ContactLink {
  public:
@@ -69,7 +69,8 @@ class ContactLink {
   }
 
  private:
-  // Standard deviation of a contact's distance from the middle of its link, along each axis [m]; of two kinds of contacts.
+  // Standard deviation of a contact's distance from the middle of its link, along each axis [m]; of two kinds of
+  // contacts.
   static constexpr double kReach[2] = {0.01, 0.1};
 
   static Vector3<Scalar> linear(const Jacobian<Scalar, Dofs>& J, int j) noexcept { return {J(0, j), J(1, j), J(2, j)}; }

@@ -1,7 +1,7 @@
 #pragma once
 /// Notices a contact within milliseconds. In: the external torque that neither the payload nor anything else explains,
-/// each tick. Out: whether it is more than the arm has shown so far by itself, (T61) to (T64), and the wrench at the tip
-/// that explains it (T65).
+/// each tick. Out: whether it is more than the arm has shown so far by itself, (T61) to (T64), and the wrench at the
+/// tip that explains it (T65).
 #include <algorithm>
 #include <cmath>
 #include <rme/core/cholesky.hpp>
@@ -15,8 +15,9 @@
 
 namespace rme {
 
-/// Watches the residual torque s of an arm on two scales: averaged over 4 ms against its mean over the last 0.15 s, and over
-/// 25 ms against the last second. The first one is fast; the second one finds what is small, and what comes slowly.
+/// Watches the residual torque s of an arm on two scales: averaged over 4 ms against its mean over the last 0.15 s, and
+/// over 25 ms against the last second. The first one is fast; the second one finds what is small, and what comes
+/// slowly.
 ///
 ///     d = sum over joints of (y_j - m_j)^2 / v_j,   contact if d > threshold             (docs/theory.md (T61, T64))
 ///
@@ -128,8 +129,8 @@ class ContactMonitor {
   static constexpr double kRevert = 1;      // time constant with which a mean that is kept becomes uncertain [s]
   static constexpr double kUsual = 30;      // memory of what is usual in the long run [s]
   static constexpr double kQuiet = 0.02;    // how long the statistic has to be usual at the end of a contact [s]
-  // After a contact its tail is still in the averages, and the arm swings back: for a while the means follow quickly, and
-  // only a residual twice as large as usual is another contact.
+  // After a contact its tail is still in the averages, and the arm swings back: for a while the means follow quickly,
+  // and only a residual twice as large as usual is another contact.
   // The averages lag by up to 25 ms, so that seven time constants leave less than 1 % of their change in the means.
   static constexpr double kSettle = 0.2, kQuick = 0.03;  // how long, and the time constant [s]
   static constexpr double kAgain = 4;                    // threshold of the statistic meanwhile, relative to the usual

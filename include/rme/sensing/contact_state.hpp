@@ -7,7 +7,8 @@
 
 namespace rme {
 
-/// What a contact turned out to be. An object that is put into the hand, and a hand that pushes, look the same at first.
+/// What a contact turned out to be. An object that is put into the hand, and a hand that pushes, look the same at
+/// first.
 enum class ContactCause : std::uint8_t {
   Undecided,  ///< it goes on, or the estimator has not decided yet
   Contact,    ///< something touched the arm; the payload is the same as before

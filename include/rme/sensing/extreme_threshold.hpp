@@ -1,6 +1,6 @@
 #pragma once
-/// A threshold that is exceeded as seldom as is stated. In: the largest values of a statistic in windows of a second. Out:
-/// the threshold, (T63) and (T64).
+/// A threshold that is exceeded as seldom as is stated. In: the largest values of a statistic in windows of a second.
+/// Out: the threshold, (T63) and (T64).
 #include <algorithm>
 #include <cmath>
 
@@ -8,16 +8,16 @@ namespace rme {
 
 /// The threshold of a statistic that exceeds it as seldom as is stated, from the largest values that it has shown.
 ///
-/// The maxima x of windows of one second follow a law of extremes, whatever the correlation time of the statistic. If the
-/// variances that the statistic is divided by were known, it would be Gumbel's, with location mu and scale beta. But an
-/// arm's error is not equally large in all motions, and the largest maxima come from the motions in which it is larger
-/// than its learned variance says: a variance that is learned from 2 n motions makes a tail of exponent n
+/// The maxima x of windows of one second follow a law of extremes, whatever the correlation time of the statistic. If
+/// the variances that the statistic is divided by were known, it would be Gumbel's, with location mu and scale beta.
+/// But an arm's error is not equally large in all motions, and the largest maxima come from the motions in which it is
+/// larger than its learned variance says: a variance that is learned from 2 n motions makes a tail of exponent n
 /// (docs/theory.md (T63)),
 ///
 ///     P(max > x) = (1 + (x - mu) / (n beta))^-n
 ///
-/// mu and beta come from the mean and the variance of the maxima. The prior is that of chi-square with `Degrees` degrees of
-/// freedom. No call allocates.
+/// mu and beta come from the mean and the variance of the maxima. The prior is that of chi-square with `Degrees`
+/// degrees of freedom. No call allocates.
 template <typename Scalar, int Degrees>
 class ExtremeThreshold {
  public:

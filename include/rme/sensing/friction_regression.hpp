@@ -1,6 +1,6 @@
 #pragma once
-/// Learns the torque of joint friction from a residual torque. In: residual torque and joint velocity. Out: the part of the
-/// residual that goes with the direction of motion and with its speed, (T61).
+/// Learns the torque of joint friction from a residual torque. In: residual torque and joint velocity. Out: the part of
+/// the residual that goes with the direction of motion and with its speed, (T61).
 #include <algorithm>
 #include <cmath>
 #include <rme/core/small_matrix.hpp>
@@ -12,8 +12,8 @@ namespace rme {
 ///
 ///     s = o + c F(dq / (|dq| + 5 mrad/s)) + d F(dq)                                     (docs/theory.md (T61))
 ///
-/// F is the filter of the observer that s comes from. The offset o is learned with the others, since the residual has one,
-/// and is not part of the explanation. Real time: nothing allocates or throws.
+/// F is the filter of the observer that s comes from. The offset o is learned with the others, since the residual has
+/// one, and is not part of the explanation. Real time: nothing allocates or throws.
 template <typename Scalar, int Dofs>
 class FrictionRegression {
  public:
@@ -45,8 +45,8 @@ class FrictionRegression {
   Vector torque() const noexcept { return coulomb_.cwiseProduct(direction_) + viscous_.cwiseProduct(velocity_); }
   /// How much each joint rests, 0 to 1.
   const Vector& rest() const noexcept { return rest_; }
-  /// Variance of the error of torque() [(N m)^2]: c and d are not known exactly, and the friction of a joint that rests is
-  /// anywhere between -c and c. Of a c that has been learned, half of that range is in the residual's mean by then.
+  /// Variance of the error of torque() [(N m)^2]: c and d are not known exactly, and the friction of a joint that rests
+  /// is anywhere between -c and c. Of a c that has been learned, half of that range is in the residual's mean by then.
   /// @param share  probability that the residual contains friction
   Vector variance(Scalar share) const noexcept {
     Vector out;

@@ -7,12 +7,12 @@
 
 namespace rme {
 
-/// Detects that tau_ext is no measurement: it no longer changes, bit for bit in all joints, or it is exactly zero in all
-/// joints, where its own noise makes both impossible.
+/// Detects that tau_ext is no measurement: it no longer changes, bit for bit in all joints, or it is exactly zero in
+/// all joints, where its own noise makes both impossible.
 ///
-/// What is impossible is learned from the readings, since many arms repeat theirs for good reasons: torque with a coarse
-/// resolution is constant at rest, a simulated arm without noise is constant or zero at rest and in motion, and a host
-/// may ask more often than the arm measures. So a reading is refused only after at least kFew different ones, if
+/// What is impossible is learned from the readings, since many arms repeat theirs for good reasons: torque with a
+/// coarse resolution is constant at rest, a simulated arm without noise is constant or zero at rest and in motion, and
+/// a host may ask more often than the arm measures. So a reading is refused only after at least kFew different ones, if
 ///
 /// - **fine noise** is known to be in every joint: each joint changes with nearly every new reading, its second
 ///   differences often change their sign, and they are far larger than its resolution, so that they do not come from
@@ -23,8 +23,8 @@ namespace rme {
 ///   joints usually move until it does, 0.01 rad or more.
 ///
 /// A coarse torque that freezes while the arm rests is not noticed: it looks as it would without a fault. The same is
-/// true of a torque that never showed noise. A repeated reading counts as a measurement until it is refused, and the next
-/// reading that differs counts again. Real time: update() is O(Dofs); nothing allocates or throws.
+/// true of a torque that never showed noise. A repeated reading counts as a measurement until it is refused, and the
+/// next reading that differs counts again. Real time: update() is O(Dofs); nothing allocates or throws.
 template <typename Scalar, int Dofs>
 class StaleTorque {
  public:

@@ -20,8 +20,8 @@ struct ArmPrior {
   Vector residual;  ///< scale of the joint: size of its noise and residual relative to a Panda's (no unit)
   Vector coulomb;   ///< mean of the Coulomb friction [N m]
   Vector viscous;   ///< mean of the viscous friction [N m s/rad]
-  /// Standard deviation of both, relative to their means. Of an arm that was never measured, half; friction that is known
-  /// better hides less of a payload that is held from the start.
+  /// Standard deviation of both, relative to their means. Of an arm that was never measured, half; friction that is
+  /// known better hides less of a payload that is held from the start.
   Scalar friction_std = Scalar(0.5);
 
   /// The defaults.

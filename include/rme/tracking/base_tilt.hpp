@@ -11,10 +11,10 @@
 
 namespace rme {
 
-/// The arm's own gravity torque per unit of gravity along each world axis, as in Proprioception::gravity_torque, for links
-/// as they are on average: the first is the heaviest, each further one lighter by the same amount, and each has its centre
-/// halfway between its joint and the next one (docs/theory.md (T69)). The Jacobian shows where the joints' axes are; a
-/// joint is taken to be where its axis is nearest to the joint that it carries.
+/// The arm's own gravity torque per unit of gravity along each world axis, as in Proprioception::gravity_torque, for
+/// links as they are on average: the first is the heaviest, each further one lighter by the same amount, and each has
+/// its centre halfway between its joint and the next one (docs/theory.md (T69)). The Jacobian shows where the joints'
+/// axes are; a joint is taken to be where its axis is nearest to the joint that it carries.
 /// @param J     Jacobian of the end effector, world axes, linear part first
 /// @param mass  of the arm [kg]
 /// @return nx3 [N m / (m/s^2)]
@@ -37,9 +37,9 @@ Eigen::Matrix<Scalar, Dofs, 3> usual_gravity_torque(const Jacobian<Scalar, Dofs>
   return torque;
 }
 
-/// The tilt of a base: a small rotation about two axes across gravity. In: a block. Out: the torque that the arm's own weight
-/// makes of the tilt (docs/theory.md (T24), (T69)), and what the tilt makes of the payload's weight. Real time: nothing
-/// allocates.
+/// The tilt of a base: a small rotation about two axes across gravity. In: a block. Out: the torque that the arm's own
+/// weight makes of the tilt (docs/theory.md (T24), (T69)), and what the tilt makes of the payload's weight. Real time:
+/// nothing allocates.
 template <typename Scalar, int Dofs>
 class BaseTilt {
  public:
@@ -60,8 +60,8 @@ class BaseTilt {
     along_[0] = first.cross(gravity);  // turning gravity by a small angle about e adds e x g to it
     along_[1] = second.cross(gravity);
   }
-  /// How the arm's own weight shows the tilt. If the host does not say what gravity does to the arm, its links are usual
-  /// ones.
+  /// How the arm's own weight shows the tilt. If the host does not say what gravity does to the arm, its links are
+  /// usual ones.
   Regressor regressor(const TorqueBlock<Scalar, Dofs>& block) const noexcept {
     const Eigen::Matrix<Scalar, Dofs, 3> pull =
         block.gravity_torque ? *block.gravity_torque : usual_gravity_torque<Scalar, Dofs>(block.jacobian, arm_mass_);
@@ -87,8 +87,8 @@ class BaseTilt {
     }
     return out;
   }
-  /// What links that weigh other than usual ones make of the torque that a tilt is expected to show, as variances of the
-  /// joints' torques [(N m)^2]. 0 if the tilt is known not to be.
+  /// What links that weigh other than usual ones make of the torque that a tilt is expected to show, as variances of
+  /// the joints' torques [(N m)^2]. 0 if the tilt is known not to be.
   /// @param regressor  of the block
   /// @param star       of a story
   static JointVector<Scalar, Dofs> unlike_variance(const Regressor& regressor,

@@ -1,6 +1,6 @@
 #pragma once
-/// Watches the torque that neither payload nor arm explains, beside the tracker. In: each sample, and what the tracker makes
-/// of each block. Out: the contact that a host reads (sensing/contact_state.hpp).
+/// Watches the torque that neither payload nor arm explains, beside the tracker. In: each sample, and what the tracker
+/// makes of each block. Out: the contact that a host reads (sensing/contact_state.hpp).
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -45,8 +45,8 @@ class ContactWatch {
         monitor_(false_alarms, arm.residual,
                  {bandwidth > 0 ? 1 / bandwidth : 0, arm.residual, arm.coulomb, arm.viscous}) {
     for (int i = 0; i < Monitor::kScales; ++i) {
-      // White noise of a velocity, differentiated and averaged: over a time constant T alone its variance is that of the
-      // velocity over T^2; the observer's filter comes first, and T averages over 2 T / dt of its values.
+      // White noise of a velocity, differentiated and averaged: over a time constant T alone its variance is that of
+      // the velocity over T^2; the observer's filter comes first, and T averages over 2 T / dt of its values.
       const double average = Monitor::kAverage[i];
       const double filtered = bandwidth * bandwidth * dt / (dt + 2 * average);
       double gain = 1 / (average * average);
@@ -154,8 +154,8 @@ class ContactWatch {
     for (int i = 0; i < Monitor::kScales; ++i)
       noise_[i] = detail::scaled(Scalar(kKeep), noise_[i]).cwiseMax(detail::scaled(noise_gain_[i], noise));
   }
-  /// What the errors of the payload add to the variance of the residual, (T62). A mean has taken in the error that is the
-  /// same all the time: what counts is how the regressor differs from its own mean. What swings pulls at the hand.
+  /// What the errors of the payload add to the variance of the residual, (T62). A mean has taken in the error that is
+  /// the same all the time: what counts is how the regressor differs from its own mean. What swings pulls at the hand.
   void expect(const Jacobian<Scalar, Dofs>& jacobian) noexcept {
     Vector known[Monitor::kScales];
     take_in();

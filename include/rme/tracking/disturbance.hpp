@@ -23,10 +23,10 @@ enum class Disturbing : std::uint8_t {
   Jolt,     ///< single joints are shaken, anew in each block
 };
 
-/// A Gaussian over the wrench of a disturbance, w: force [N] and moment [N m] about the end-effector origin, world axes.
-/// The torque of a block is then the payload's and the arm's, plus J^T w, plus, for a jolt, an independent torque on
-/// each joint (docs/theory.md (T43)). The payload is not learned from such a block. The arm's nuisances are, given the
-/// wrench. The size of a jolt is unknown: single samples may be a hundred times as large as any wrench. Real time:
+/// A Gaussian over the wrench of a disturbance, w: force [N] and moment [N m] about the end-effector origin, world
+/// axes. The torque of a block is then the payload's and the arm's, plus J^T w, plus, for a jolt, an independent torque
+/// on each joint (docs/theory.md (T43)). The payload is not learned from such a block. The arm's nuisances are, given
+/// the wrench. The size of a jolt is unknown: single samples may be a hundred times as large as any wrench. Real time:
 /// nothing allocates.
 template <typename Scalar, int Dofs>
 class Disturbance {
@@ -34,8 +34,8 @@ class Disturbance {
   using Star = StarGaussian<Scalar, Dofs>;       ///< state of the filter
   using Model = JointTorqueModel<Scalar, Dofs>;  ///< model of the arm
 
-  /// A wrench that nothing is known of: N(0, s^2 W) with W for hands and obstacles beside an arm for `rated_payload` [kg],
-  /// and s = 1; or 0.1 for a touch, if the torque shows one. The first block says which.
+  /// A wrench that nothing is known of: N(0, s^2 W) with W for hands and obstacles beside an arm for `rated_payload`
+  /// [kg], and s = 1; or 0.1 for a touch, if the torque shows one. The first block says which.
   void begin(Scalar rated_payload) noexcept {
     begin(rated_payload, Scalar(1));
     begins_ = true;
@@ -52,8 +52,8 @@ class Disturbance {
     covariance_ += change;
     prior_ += change;
   }
-  /// Takes in the block of the model's last begin(): learns the wrench, and the arm's nuisances in `star`. Of a jolt nothing
-  /// is learned.
+  /// Takes in the block of the model's last begin(): learns the wrench, and the arm's nuisances in `star`. Of a jolt
+  /// nothing is learned.
   /// @param model     of the arm
   /// @param star      state before the block; its x is kept
   /// @param how       what acts; if it is not a jolt, a jolt may hide it in this block
@@ -74,9 +74,9 @@ class Disturbance {
       p = star.predict(j, known_gain(star, j, model.observation(j, load)));
       squared += p.innovation * p.innovation / p.variance;
       e[j] = p.innovation;
-      // An error of the payload is the same in all blocks, and the wrench takes it in the first. Counted in each, it would
-      // favour stories that know little of the payload. So it is with the gains. Nor are they learned: the wrench follows
-      // from the same torque, and agrees with whatever gains are believed in.
+      // An error of the payload is the same in all blocks, and the wrench takes it in the first. Counted in each, it
+      // would favour stories that know little of the payload. So it is with the gains. Nor are they learned: the wrench
+      // follows from the same torque, and agrees with whatever gains are believed in.
       const typename Star::X arm = star.arm_spread(p);
       for (int i = 0; i < kShared; ++i) spread(j, i) = arm[i];
     }
@@ -215,9 +215,9 @@ class Disturbance {
     const Scalar growth = size_ * size_ * Scalar(kGrowth * kGrowth) * rated * rated * blocks / square;
     detail::add_outer(change, detail::scaled(growth, mean_), mean_);
   }
-  /// Cholesky's factor of a covariance of all joints' torques. Combinations of torques that no wrench makes have standard
-  /// deviations a hundred times smaller than the others. In float, their variances are hardly above the rounding errors of
-  /// the pivots.
+  /// Cholesky's factor of a covariance of all joints' torques. Combinations of torques that no wrench makes have
+  /// standard deviations a hundred times smaller than the others. In float, their variances are hardly above the
+  /// rounding errors of the pivots.
   static Cholesky<Scalar, Dofs> factorise(Eigen::Matrix<Scalar, Dofs, Dofs> S) noexcept {
     Scalar largest = Scalar(0);
     for (int j = 0; j < Dofs; ++j) largest = std::max(largest, S(j, j));
@@ -241,7 +241,8 @@ class Disturbance {
     JointVector<Scalar, Dofs> white;       ///< e less that of the wrench, whitened
     Scalar log_density;                    ///< of the block [nats], without the constant factor of 2 pi
   };
-  /// Log density of a block that a jolt of unknown size shakes (docs/theory.md (T49)): any wrench, and a torque on each joint.
+  /// Log density of a block that a jolt of unknown size shakes (docs/theory.md (T49)): any wrench, and a torque on each
+  /// joint.
   /// @param known  covariance of e without it
   static Scalar jolt_density(const Model& model, const Eigen::Matrix<Scalar, Dofs, Dofs>& known,
                              const JointVector<Scalar, Dofs>& e, Scalar rated) noexcept {
@@ -288,8 +289,8 @@ class Disturbance {
     o.c[kGain] = Scalar(0);
     return o;
   }
-  /// What the joints bear, the wrench included. One that is a weight has the noise of its inertia, and what a block shows
-  /// of it has the errors of the gains: otherwise these alone would decide between both.
+  /// What the joints bear, the wrench included. One that is a weight has the noise of its inertia, and what a block
+  /// shows of it has the errors of the gains: otherwise these alone would decide between both.
   Load<Scalar, Dofs> load(const Model& model, const Star& star) const noexcept {
     Load<Scalar, Dofs> out = model.load(star);
     out.mass = std::max(Scalar(0), star.mass() + weighs(model));

@@ -114,8 +114,9 @@ class EventMonitor {
   static constexpr double kQuiet = 0.1;  // how long Empty or Held has to be likeliest at the end of an event [s]
   static constexpr double kKnown = 0.4;  // how long after a change the event is over in any case [s]
   static constexpr double kSure = 0.9;   // probability of Empty or Held below which a block may belong to an event
-  // A centre of mass that is this near is the same [m], and so is one whose distance, squared and in standard deviations,
-  // is not above kUnlike: three numbers exceed it as rarely as one number exceeds three standard deviations.
+  // A centre of mass that is this near is the same [m], and so is one whose distance, squared and in standard
+  // deviations, is not above kUnlike: three numbers exceed it as rarely as one number exceeds three standard
+  // deviations.
   static constexpr double kNear = 0.01, kUnlike = 14.16;
 
   void finish(bool empty, double now, const PayloadGaussian<Scalar>& payload) noexcept {

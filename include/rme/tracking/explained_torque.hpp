@@ -1,6 +1,6 @@
 #pragma once
-/// What a body on the end effector adds to the external torque while it moves. In: Jacobian, rotation and velocity of each
-/// tick. Out: the regressor of its ten parameters as the arm's own observer shows it, (T60).
+/// What a body on the end effector adds to the external torque while it moves. In: Jacobian, rotation and velocity of
+/// each tick. Out: the regressor of its ten parameters as the arm's own observer shows it, (T60).
 #include <algorithm>
 #include <cmath>
 #include <rme/core/flange_motion.hpp>
@@ -16,9 +16,9 @@ namespace rme {
 ///     E_k = E_(k-1) + b (J^T Y(motion) - E_(k-1)),   b = 1 - (1 - K p)^(dt / p)      (docs/theory.md (T60))
 ///
 /// E phi is then the torque of a body phi that has been there for longer than the observer's lag. The flange's
-/// acceleration is the difference of J dq over one period. Its noise is large, but the filter sums it up to K times that of
-/// J dq, in step with tau_ext, whose observer differentiates the arm's momentum with the same filter. So no further filter
-/// is needed, and none delays the answer. Real time: update() is O(60 Dofs); nothing allocates.
+/// acceleration is the difference of J dq over one period. Its noise is large, but the filter sums it up to K times
+/// that of J dq, in step with tau_ext, whose observer differentiates the arm's momentum with the same filter. So no
+/// further filter is needed, and none delays the answer. Real time: update() is O(60 Dofs); nothing allocates.
 template <typename Scalar, int Dofs>
 class ExplainedTorque {
  public:

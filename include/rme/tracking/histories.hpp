@@ -123,8 +123,8 @@ class Histories {
     return exp(story(i).log_weight);
   }
   /// The payload of story(i), given what it says of the last block. While something changes, that is the payload which
-  /// this block alone shows, unless the torque is too rough for one block to show anything. While something pours, it is
-  /// that of the middle of the next block, for which the host carries it.
+  /// this block alone shows, unless the torque is too rough for one block to show anything. While something pours, it
+  /// is that of the middle of the next block, for which the host carries it.
   InertialGaussian<Scalar> payload(int i) const noexcept {
     if (story(i).mode == Mode::Pouring) return story(i).pour.payload_after(story(i).star, model().block().duration);
     return story(i).mode == Mode::Changing && model().kind().draws ? fresh_ : payload_in(story(i).star);
@@ -140,8 +140,8 @@ class Histories {
   Scalar innovation_squared() const noexcept { return innovation_squared_; }
   const JointTorqueModel<Scalar, Dofs>& model() const noexcept { return filter_.model(); }  ///< of the arm
 
-  /// Probability that something is poured, or that something else acts on the arm, of this kind's stories. What begins to
-  /// swing long after it was picked up may be led by a hand.
+  /// Probability that something is poured, or that something else acts on the arm, of this kind's stories. What begins
+  /// to swing long after it was picked up may be led by a hand.
   Scalar disturbed() const noexcept {
     Scalar sum = Scalar(0);
     for (int i = 0; i < count_; ++i) {
@@ -209,7 +209,8 @@ class Histories {
   static constexpr double kOff = 30;              // how much more, times the stated offset
   static constexpr double kTiltedAtStart = 0.05;  // probability that the base is tilted
   static constexpr double kTilted = 0.04;         // by how much, about either axis [rad]
-  // The same of the heaviest story in which nothing swings, if the force of a swing explains the blocks so far better [nats].
+  // The same of the heaviest story in which nothing swings, if the force of a swing explains the blocks so far better
+  // [nats].
   static constexpr double kSwingDepth = 40;
   static constexpr double kPourDepth = 8;  // log odds at which a pour is given up while nothing happens [nats]
   static constexpr int kPlans = Transitions::kMost * Capacity;

@@ -30,8 +30,8 @@ struct Load {
 ///
 ///     tau_j = h_j^T x + offset - d coulomb - dq viscous + residual + s stiction + gain load_j + noise
 ///
-/// with d the mean direction of motion, s the share of the block in which the joint rests, and the load that it bears. What
-/// a kind of sensing does not see has no variance. Real time: nothing allocates.
+/// with d the mean direction of motion, s the share of the block in which the joint rests, and the load that it bears.
+/// What a kind of sensing does not see has no variance. Real time: nothing allocates.
 template <typename Scalar, int Dofs>
 class JointTorqueModel {
  public:
@@ -82,7 +82,8 @@ class JointTorqueModel {
   /// @param tilted   whether any story has a tilted base
   void begin(const TorqueBlock<Scalar, Dofs>& block, const FrictionRegime<Scalar, Dofs>& regime,
              const BlockContext<Scalar, Dofs>& context = {}, bool tilted = false) noexcept;
-  /// Time update of the nuisances, from the last block to this one. To be called before the update with the block's torque.
+  /// Time update of the nuisances, from the last block to this one. To be called before the update with the block's
+  /// torque.
   void predict(Star& star) const noexcept { process_.predict(star, noise_, unlike_variance(star)); }
   /// The base is tilted, so much that links that weigh other than usual ones show.
   /// @param star       before the first block
@@ -201,9 +202,9 @@ void JointTorqueModel<Scalar, Dofs>::begin(const TorqueBlock<Scalar, Dofs>& bloc
   noise_.watch(block, timing_noise_);
   process_.begin(block, regime, context, noise_);
   started_ = true;
-  // The error of the flange's acceleration makes an error of the payload's inertia force and moment (T29). The payload's
-  // distance from the flange is the prior's, inertia_arm_. The joints' errors have one cause, which the filter neglects:
-  // kCorrelated makes up for that.
+  // The error of the flange's acceleration makes an error of the payload's inertia force and moment (T29). The
+  // payload's distance from the flange is the prior's, inertia_arm_. The joints' errors have one cause, which the
+  // filter neglects: kCorrelated makes up for that.
   const Scalar linear = Scalar(kCorrelated) * block.acceleration_variance;
   const Scalar angular = Scalar(kCorrelated) * block.angular_acceleration_variance;
   for (int j = 0; j < Dofs; ++j) {
@@ -235,8 +236,8 @@ JointObservation<Scalar> JointTorqueModel<Scalar, Dofs>::observation(int j, cons
   for (int i = 0; i < kInertial; ++i) o.h[kPayload + i] = block_.regressor(j, i);
   for (int i = 0; i < 4; ++i) o.h[kPoured + i] = swings ? Scalar(0) : block_.regressor(j, i);
   for (int i = 0; swings && i < 3; ++i) o.h[kSwing + i] = block_.jacobian(i, j);
-  // The product of tilt and weight is linearised about the load's. What usual links say of the tilt is too rough to turn the
-  // weight by: there it only shows that the weight may be turned.
+  // The product of tilt and weight is linearised about the load's. What usual links say of the tilt is too rough to
+  // turn the weight by: there it only shows that the weight may be turned.
   for (int k = 0; tilted_ && k < 2; ++k) {
     const auto& turns = turns_[static_cast<std::size_t>(k)];
     const Scalar turned = block_.gravity_torque ? load.tilt[k] : Scalar(0);

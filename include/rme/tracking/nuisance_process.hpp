@@ -12,9 +12,10 @@
 
 namespace rme {
 
-/// Offset and friction of a joint walk at random. Its residual, and the stiction that holds it while it rests, forget and
-/// are drawn anew (docs/theory.md (T27)): the residual with the distance that the arm moves, the stiction with time, and
-/// as the torque changes that it balances. Of a rough model, both change where a joint turns over, and so does its noise.
+/// Offset and friction of a joint walk at random. Its residual, and the stiction that holds it while it rests, forget
+/// and are drawn anew (docs/theory.md (T27)): the residual with the distance that the arm moves, the stiction with
+/// time, and as the torque changes that it balances. Of a rough model, both change where a joint turns over, and so
+/// does its noise.
 ///
 /// A block comes in with begin(), and the time update of a filter's state goes out with predict(). Real time: nothing
 /// allocates.

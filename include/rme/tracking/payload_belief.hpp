@@ -91,8 +91,8 @@ PayloadGaussian<Scalar> payload_of(const InertialGaussian<Scalar>& phi, const Pa
   return out;
 }
 
-/// Bounds a covariance of theta = (m, r): no entry of r is less certain than one that is drawn from a prior twice as wide,
-/// since a body has its centre within reach of the hand.
+/// Bounds a covariance of theta = (m, r): no entry of r is less certain than one that is drawn from a prior twice as
+/// wide, since a body has its centre within reach of the hand.
 /// @param covariance  of theta, positive semidefinite; returned as it is if r is known better
 /// @param prior       of the payload
 template <typename Scalar>
@@ -110,8 +110,8 @@ Matrix4<Scalar> no_wider_than_prior(const Matrix4<Scalar>& covariance, const Pay
   return out;
 }
 
-/// What is known of theta if r is known no better than no_wider_than_prior() says: what exceeds it counts as an error of
-/// r's measurement. A small mass that is hardly known leaves any r possible to first order (T32).
+/// What is known of theta if r is known no better than no_wider_than_prior() says: what exceeds it counts as an error
+/// of r's measurement. A small mass that is hardly known leaves any r possible to first order (T32).
 /// @param free   before
 /// @param prior  of the payload
 template <typename Scalar>

@@ -21,8 +21,8 @@ class Pour {
  public:
   using Star = StarGaussian<Scalar, Dofs>;  ///< state of the filter
 
-  /// A payload that is taken up slowly is taken for friction and offset at first. Supposes that the empty hand of `star`
-  /// already holds as much as they can have hidden so far.
+  /// A payload that is taken up slowly is taken for friction and offset at first. Supposes that the empty hand of
+  /// `star` already holds as much as they can have hidden so far.
   /// @param model  of the arm
   /// @param star   state, with an empty hand
   /// @param prior  of what may be held
@@ -62,8 +62,9 @@ class Pour {
     waits_ = Scalar(0);
     rate_.covariance = stationary(star, prior, rated_payload);
   }
-  /// Time update of the rate, an Ornstein-Uhlenbeck process about zero, and of the payload, which it changes. Nothing is
-  /// known of the inertia of what is poured but its size: that of the mass. Its noise waits until it shows: it is dear.
+  /// Time update of the rate, an Ornstein-Uhlenbeck process about zero, and of the payload, which it changes. Nothing
+  /// is known of the inertia of what is poured but its size: that of the mass. Its noise waits until it shows: it is
+  /// dear.
   /// @param star           state; an empty hand begins to hold something
   /// @param duration       of the block [s]
   /// @param prior          of what may be held

@@ -25,8 +25,8 @@ struct Rate {
     detail::add_outer(cross, detail::scaled(Scalar(-1), row), gain);
     detail::add_outer(covariance, detail::scaled(Scalar(-1), shown), gain);
   }
-  /// The last four entries of x move by dt r; then process noise Q is added to them. Each beta_j keeps its moments with the
-  /// old x (docs/theory.md, "The star").
+  /// The last four entries of x move by dt r; then process noise Q is added to them. Each beta_j keeps its moments with
+  /// the old x (docs/theory.md, "The star").
   /// @tparam Before  number of entries before them that get noise of their own
   /// @param star  state; if Q is not finite, nothing changes
   /// @param dt    [s]

@@ -14,9 +14,9 @@ namespace rme {
 ///     share = clamp(2 (tau - nu) . t / t . t, 0, 1)     (docs/theory.md (T35))
 ///
 /// Here t is the payload's torque, tau the external torque averaged over 4 ms, and nu the part of tau that the payload
-/// did not explain in the last block in which nothing happened; in a push that bears clearly more than its weight, nu follows
-/// within a second. Who takes the object away bears its weight, and no more; so a hand that presses on something soon presses
-/// no harder because it holds an object. No call allocates.
+/// did not explain in the last block in which nothing happened; in a push that bears clearly more than its weight, nu
+/// follows within a second. Who takes the object away bears its weight, and no more; so a hand that presses on
+/// something soon presses no harder because it holds an object. No call allocates.
 template <typename Scalar, int Dofs>
 class RemovalGuard {
  public:
@@ -37,8 +37,8 @@ class RemovalGuard {
     const Scalar support = detail::dot(detail::difference(average_, besides_), carried) / square;
     share_ = std::max(Scalar(0), std::min(Scalar(1), 2 * support));
   }
-  /// Learns nu from a block in which the payload was certainly held: at once if nothing happened, within a second if a push
-  /// bore clearly more than the payload's weight, and not at all if it bore less.
+  /// Learns nu from a block in which the payload was certainly held: at once if nothing happened, within a second if a
+  /// push bore clearly more than the payload's weight, and not at all if it bore less.
   /// @param tau      the block's mean torque [N m]
   /// @param weight   that of the payload [N m]
   /// @param pushed   whether something else acted on the arm

@@ -59,8 +59,8 @@ class SensorNoise {
 
   /// s^2 of docs/theory.md (T28): variance of the error of a link's first moment in the arm's model [(kg m)^2],
   /// inferred from the residuals of all joints. However long the arm moves, this error of the link that carries the
-  /// payload cannot be distinguished from the payload's first moment. 0 for a rough model, whose joints do not learn their
-  /// own residuals: it says nothing of single links, and SensingKind::spread takes its place.
+  /// payload cannot be distinguished from the payload's first moment. 0 for a rough model, whose joints do not learn
+  /// their own residuals: it says nothing of single links, and SensingKind::spread takes its place.
   Scalar first_moment_variance() const noexcept {
     if (!(kind_.own > 0)) return Scalar(0);
     Scalar sum = Scalar(0), scale = Scalar(0);

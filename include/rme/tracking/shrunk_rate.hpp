@@ -14,11 +14,11 @@ enum class RateNoise {
 /// Posterior of a rate of change that is measured once per block, x = a + noise, under a prior that is learned:
 /// zero as long as nothing changes, wide while something does (docs/theory.md, "Noise in the regressor").
 ///
-/// An error of a regressor does not average out. It makes what the regressor multiplies look smaller, block after block.
-/// The posterior mean k x, k = s^2 / (s^2 + noise), has no such effect: given k x, the error a - k x is zero on average.
-/// The prior's variance s^2 is the mean product of successive rates, which contains no noise; as long as it is not
-/// significantly above zero, s^2 and k are exactly zero. A single rate far above the noise counts at once, so that an
-/// arm that starts is not held back. Real time: a few operations, no loop, nothing allocates.
+/// An error of a regressor does not average out. It makes what the regressor multiplies look smaller, block after
+/// block. The posterior mean k x, k = s^2 / (s^2 + noise), has no such effect: given k x, the error a - k x is zero on
+/// average. The prior's variance s^2 is the mean product of successive rates, which contains no noise; as long as it is
+/// not significantly above zero, s^2 and k are exactly zero. A single rate far above the noise counts at once, so that
+/// an arm that starts is not held back. Real time: a few operations, no loop, nothing allocates.
 template <typename Scalar, RateNoise Source>
 class ShrunkRate {
  public:

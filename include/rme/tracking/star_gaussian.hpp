@@ -19,14 +19,14 @@ namespace rme {
 ///     x ~ N(mean, F F^T),   beta_j | x ~ N(b_j + B_j x, V_j)
 ///
 /// A joint's torque depends only on x and on its own beta_j. So observe() keeps this form exactly, at a fifth of the
-/// cost of a dense covariance. To forget entries of x, or to add noise to them, would couple the joints. forget_payload(),
-/// add() and their like give the nearest star instead, which has the right mean and covariance of every pair (x, beta_j)
-/// (docs/theory.md, "The star").
+/// cost of a dense covariance. To forget entries of x, or to add noise to them, would couple the joints.
+/// forget_payload(), add() and their like give the nearest star instead, which has the right mean and covariance of
+/// every pair (x, beta_j) (docs/theory.md, "The star").
 ///
 /// F is a square root of the covariance of x, and is updated as such (Potter's form: Maybeck, Stochastic Models,
 /// Estimation, and Control 1, 7.3). So rounding cannot make the covariance indefinite, even in float. An empty hand has
-/// no phi: its rows are zero and cost nothing; nor do the last entries unless something pours or swings. Initially the hand is empty and everything is zero. Real time: no call
-/// allocates.
+/// no phi: its rows are zero and cost nothing; nor do the last entries unless something pours or swings. Initially the
+/// hand is empty and everything is zero. Real time: no call allocates.
 template <typename Scalar, int Dofs>
 class StarGaussian {
  public:
@@ -214,8 +214,8 @@ class StarGaussian {
     mean_ = mean;
     factor_ = factor;
   }
-  /// Adds d to `Size` entries of x, the first of which is `First`. Each beta_j keeps its moments with the old x (docs/theory.md
-  /// (T71)).
+  /// Adds d to `Size` entries of x, the first of which is `First`. Each beta_j keeps its moments with the old x
+  /// (docs/theory.md (T71)).
   /// @param mean        of d
   /// @param covariance  of d
   /// @param cross       cov(x, d), x before; beta_j depends on d only through x
@@ -250,8 +250,8 @@ class StarGaussian {
     return true;
   }
 
-  /// Marginalises the payload, with what was poured: the hand is empty afterwards, and everything else keeps its marginal
-  /// distribution. A swing has to be over (Swing::end()).
+  /// Marginalises the payload, with what was poured: the hand is empty afterwards, and everything else keeps its
+  /// marginal distribution. A swing has to be over (Swing::end()).
   void forget_payload() noexcept {
     if (last_ != Last::Nothing) forget_last();
     if (!empty() && marginalise<kArmShared, kInertial>()) size_ = kArmShared;
@@ -290,8 +290,8 @@ class StarGaussian {
         joint(j).slope(kPayload, n) = shift[static_cast<std::size_t>(j)][n] / along[0];
     size_ = kHeldShared;
   }
-  /// The payload turns out to be none: everything else is as it is given phi = 0. Nothing may pour or swing. The hand is
-  /// empty afterwards.
+  /// The payload turns out to be none: everything else is as it is given phi = 0. Nothing may pour or swing. The hand
+  /// is empty afterwards.
   /// @return log density of phi at 0 before [nats], without the constant factor of 2 pi (docs/theory.md (T51))
   Scalar payload_is_none() noexcept {
     if (empty()) return Scalar(0);
@@ -349,8 +349,8 @@ class StarGaussian {
   }
   /// Whether the gains of the torque may be off.
   bool gains_off() const noexcept { return nuisance_variance(kGain) > 0; }
-  /// Adds independent noise to `Size` entries of x, the first of which is `First`. Each beta_j keeps its moments with x as
-  /// they were.
+  /// Adds independent noise to `Size` entries of x, the first of which is `First`. Each beta_j keeps its moments with x
+  /// as they were.
   /// @param variance  of the noise of each, >= 0
   template <int First, int Size>
   void widen(const Eigen::Matrix<Scalar, Size, 1>& variance) noexcept {
@@ -362,8 +362,8 @@ class StarGaussian {
   /// The same of what belongs to the arm, in the order of Shared.
   void widen_arm(const Eigen::Matrix<Scalar, kArmShared, 1>& variance) noexcept { widen<0, kArmShared>(variance); }
 
-  /// Adds a relative error to what is known of the payload: phi becomes (1 + e) phi, e independent of everything else. Each
-  /// beta_j keeps its moments with the old x.
+  /// Adds a relative error to what is known of the payload: phi becomes (1 + e) phi, e independent of everything else.
+  /// Each beta_j keeps its moments with the old x.
   /// @param square  E[e^2]
   void widen_payload(Scalar square) noexcept {
     InertialVector<Scalar> phi;
@@ -374,8 +374,8 @@ class StarGaussian {
   }
 
  private:
-  /// Adds one (m, m r) of x to another, as whose part it counts from now on. Each beta_j depends on x as before, so in the
-  /// new x it depends on the added one as far as it did so otherwise than on the other.
+  /// Adds one (m, m r) of x to another, as whose part it counts from now on. Each beta_j depends on x as before, so in
+  /// the new x it depends on the added one as far as it did so otherwise than on the other.
   template <int Other, int Added>
   void count_as() noexcept {
     for (int i = 0; i < 4; ++i) {
@@ -418,8 +418,8 @@ class StarGaussian {
     for (int k = 0; k < Size; ++k) Head<Size>(factor_.data() + k * kShared) -= (shrink * p.spread[k]) * covariance_row;
   }
 
-  /// Marginalises the `Gone` entries of x after the first `Kept`, which are zero afterwards, as all after them are already
-  /// (docs/theory.md (T71)).
+  /// Marginalises the `Gone` entries of x after the first `Kept`, which are zero afterwards, as all after them are
+  /// already (docs/theory.md (T71)).
   /// @return false if the covariance is not finite; then nothing has changed
   template <int Kept, int Gone>
   bool marginalise() noexcept {

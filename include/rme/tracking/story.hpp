@@ -29,7 +29,8 @@ struct Story {
   Scalar held_for = Scalar(0);       ///< since the payload was drawn, disturbed blocks left out [s]
   Scalar log_weight = Scalar(0);     ///< log probability
   Scalar log_plausible = Scalar(0);  ///< log probability that the mass is plausible, as counted so far
-  /// Log density at phi = 0 of the prior that the payload was drawn from; only if it was drawn, and nothing poured since.
+  /// Log density at phi = 0 of the prior that the payload was drawn from; only if it was drawn, and nothing poured
+  /// since.
   std::optional<Scalar> log_none;
 
   /// Whether both say the same of the present. They may differ in when it began.

@@ -7,8 +7,8 @@
 
 namespace rme {
 
-/// The children that stories have in a block, and those that are being computed. Several Histories may use the same, one
-/// after the other. A child is moved by exchanging the numbers of two slots: a story is some 16 kB.
+/// The children that stories have in a block, and those that are being computed. Several Histories may use the same,
+/// one after the other. A child is moved by exchanging the numbers of two slots: a story is some 16 kB.
 template <typename Scalar, int Dofs, int Capacity>
 class StoryChildren {
  public:

@@ -171,8 +171,8 @@ class StoryFilter {
     story.log_none.reset();  // without the payload, nothing would swing
     story.swing.begin(story.star, weight(shown), goes, led);
   }
-  /// What was taken for a wrench has been a weight all along. The blocks since it began are as likely as with the wrench,
-  /// times how much better or worse a payload explains what is known of the wrench.
+  /// What was taken for a wrench has been a weight all along. The blocks since it began are as likely as with the
+  /// wrench, times how much better or worse a payload explains what is known of the wrench.
   template <typename Children>
   Scalar turn(Tale& child, const Tale& parent, Children& children, Innovation& out) noexcept {
     Tale& wrench = children.drawn();
@@ -198,8 +198,8 @@ class StoryFilter {
   static constexpr double kLightestSwing = 0.02;               // mass that may swing, per rated payload
   static constexpr double kLightest = 0.007, kHeaviest = 1.2;  // times the rated payload: 20 g and 3.6 kg on a Panda
 
-  /// Draws a new payload. The prior of m r needs the mass, and the block itself shows the mass best. So the prior is for
-  /// the mass that the block shows.
+  /// Draws a new payload. The prior of m r needs the mass, and the block itself shows the mass best. So the prior is
+  /// for the mass that the block shows.
   /// @return what the joints bear then, as far as the block shows it
   Load<Scalar, Dofs> draw(Tale& child, Tale& first, Innovation& out) noexcept {
     child.star.forget_payload();
@@ -257,8 +257,8 @@ class StoryFilter {
     return log_likelihood;
   }
 
-  /// Log density of an innovation [nats], without the constant factor of 2 pi (docs/theory.md (T68)). What the model of an
-  /// arm misses is not Gaussian: with Gaussian weights, single blocks decide what is held.
+  /// Log density of an innovation [nats], without the constant factor of 2 pi (docs/theory.md (T68)). What the model of
+  /// an arm misses is not Gaussian: with Gaussian weights, single blocks decide what is held.
   Scalar log_density(Scalar square, Scalar variance) const noexcept {
     using std::log;
     if (!(tails_ > 0)) return Scalar(-0.5) * (square / variance + log(variance));

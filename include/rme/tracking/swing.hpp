@@ -18,10 +18,10 @@ namespace rme {
 ///
 /// f is part of the star's x, r a Gaussian that is correlated with x. Their size is learned.
 ///
-/// Until it ends, nothing is learned of the tool: new force couples the joints, and what a star loses of that would let the
-/// tool drift against the joints' offsets. In the tool's place in x there is what a hand that leads the arm carries of the
-/// payload, or adds to it: like an error of the tool, of which the joints' offsets have taken over what showed so far.
-/// Real time: nothing allocates.
+/// Until it ends, nothing is learned of the tool: new force couples the joints, and what a star loses of that would let
+/// the tool drift against the joints' offsets. In the tool's place in x there is what a hand that leads the arm carries
+/// of the payload, or adds to it: like an error of the tool, of which the joints' offsets have taken over what showed
+/// so far. Real time: nothing allocates.
 template <typename Scalar, int Dofs>
 class Swing {
  public:
@@ -89,8 +89,8 @@ class Swing {
     rate_.mean = mean;
     rate_.covariance = after;
   }
-  /// The payload swings no more: marginalises the force, and what a hand carries. What is known of the tool is as it was
-  /// before the swing.
+  /// The payload swings no more: marginalises the force, and what a hand carries. What is known of the tool is as it
+  /// was before the swing.
   void end(Star& star) const noexcept {
     if (!star.swings()) return;
     SharedVector<Scalar> mean = star.mean();
@@ -109,7 +109,8 @@ class Swing {
   const Vector4<Scalar>& tool_mean() const noexcept { return tool_mean_; }
   /// Updates the rate with an observation; to be called before star.observe(j, p).
   void observe(const Star& star, const typename Star::Prediction& p) noexcept { rate_.observe(star, p); }
-  /// Learns the size of the swing and its frequency. The size is that of the rate: a force that stays belongs to the payload.
+  /// Learns the size of the swing and its frequency. The size is that of the rate: a force that stays belongs to the
+  /// payload.
   /// @param star      state, after the block
   /// @param duration  of the block [s]
   /// @param weight    of the payload [N], > 0
@@ -144,8 +145,8 @@ class Swing {
   /// Frequency of the swing, from the times between its turns; 0 until it is shown() [Hz].
   Scalar frequency() const noexcept { return shown() ? Scalar(0.5) / half_ : Scalar(0); }
 
-  /// Mean square of the relative error that a swing has caused in a payload before it was noticed. One that has been there
-  /// for longer would have been noticed.
+  /// Mean square of the relative error that a swing has caused in a payload before it was noticed. One that has been
+  /// there for longer would have been noticed.
   /// @param held_for  since the payload was drawn [s]
   static Scalar hidden(Scalar held_for) noexcept {
     return Scalar(kHidden * kHidden) * std::exp(-held_for / Scalar(kUnnoticed));

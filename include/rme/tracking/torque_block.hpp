@@ -30,8 +30,9 @@ struct TorqueBlock {
   Eigen::Matrix<Scalar, Dofs, kInertial> regressor;
   Jacobian<Scalar, Dofs> jacobian;  ///< of the last sample
   Matrix3<Scalar> rotation;         ///< of the last sample
-  /// Mean of dq [rad/s]. If dq is rounded, what is no more than three quarters of its smallest change so far is zero, here
-  /// and in `velocities`: a joint at rest may report half a step for ever. So is everything before the first change.
+  /// Mean of dq [rad/s]. If dq is rounded, what is no more than three quarters of its smallest change so far is zero,
+  /// here and in `velocities`: a joint at rest may report half a step for ever. So is everything before the first
+  /// change.
   JointVector<Scalar, Dofs> velocity;
   Eigen::Matrix<Scalar, Dofs, kBlockParts> velocities;  ///< mean of dq over each part of the block [rad/s]
   JointVector<Scalar, Dofs> torque_step;                ///< smallest change of tau_ext so far; 0 if none [N m]
@@ -81,9 +82,9 @@ struct BlockContext {
 /// regressor of a lag, is treated in the same way.
 ///
 /// Periods of 0.1 ms to 0.1 s are possible. They may vary, and samples may be missing: each sample counts for the time
-/// since the last one. If the host is so slow that a block is a single sample, the acceleration is the difference of two,
-/// and what the second differences of dq show of its changes counts as noise of dq. Real time: add() is O(Dofs), and
-/// O(10 Dofs) on the last sample of each part; nothing allocates.
+/// since the last one. If the host is so slow that a block is a single sample, the acceleration is the difference of
+/// two, and what the second differences of dq show of its changes counts as noise of dq. Real time: add() is O(Dofs),
+/// and O(10 Dofs) on the last sample of each part; nothing allocates.
 template <typename Scalar, int Dofs>
 class BlockAverager {
  public:

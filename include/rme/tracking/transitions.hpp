@@ -52,8 +52,8 @@ struct Transitions {
   static constexpr double kIsLate = 0.01;       ///< the first change shows that the observer is not as stated
   static constexpr double kOffGain = 0.02;      ///< relative error of the torque's gains that are off
   static constexpr double kGainsOff = 6e-4;     ///< the first payload shows that the torque's gains are off
-  /// Standard deviation of the lag then, in time constants of the stated observer. One that is in truth half or twice as
-  /// fast has a lag of 1 or -0.5.
+  /// Standard deviation of the lag then, in time constants of the stated observer. One that is in truth half or twice
+  /// as fast has a lag of 1 or -0.5.
   static constexpr double kLate = 0.5;
   static constexpr int kSlow = 10;  ///< blocks from one pour that begins to the next
   static constexpr int kSoon = 5;   ///< of quick pours that begin, pours that end, wrenches that turn out weights
@@ -90,7 +90,8 @@ struct Transitions {
       t.how = how;
       use(t);
     };
-    // What is not as stated of an arm is so from the first payload on: the k-th one shows it with k^-2 of the probability.
+    // What is not as stated of an arm is so from the first payload on: the k-th one shows it with k^-2 of the
+    // probability.
     const double first = 1.0 / (1.0 * story.next * story.next);
     const bool exact = story.star.nuisance_variance(kGain) < Scalar(0.25 * kOffGain * kOffGain);
     const double off = kind.draws && exact ? kGainsOff * first : 0;
