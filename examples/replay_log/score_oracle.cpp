@@ -6,7 +6,8 @@
 // No estimator can be better on average; what rme has more is the price of not knowing these things.
 //
 // Takes folders of link-side recordings (make_logs --kind link_side) and the options of replay_log, and prints for 50 ms,
-// 0.5 s and 2 s after the attachment the root mean square error of the mass, over all runs of a scenario that last so long.
+// 0.5 s and 2 s after the attachment the root mean square error of the mass, over all runs of a scenario that last so
+// long, and the median size of rme's.
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
@@ -84,7 +85,7 @@ Errors oracle(const Log<7>& log, const Samples<7>& samples, const rme::Estimator
 
 /// The errors of rme.
 Errors tracked(const Log<7>& log, const Samples<7>& samples, double attach, const ReplayOptions<7>& options) {
-  Errors out;
+  Errors out{};
   std::vector<std::pair<double, double>> masses{{-1e9, 0}};
   replay<7>(
       log, samples, options, [&](const ReplayedEstimate& e) { masses.emplace_back(e.t, e.state.payload.mean[0]); },
@@ -111,8 +112,8 @@ int run(Arguments& arguments) {
   std::vector<std::string> folders;
   do folders.push_back(arguments.positional("FOLDER"));
   while (!arguments.empty());
-  std::printf("| folder           |    | runs | after s | oracle g |  rme g | ratio |\n");
-  std::printf("|------------------|----|-----:|--------:|---------:|-------:|------:|\n");
+  std::printf("| folder           |    | runs | after s | oracle g |  rme g | ratio | rme median |\n");
+  std::printf("|------------------|----|-----:|--------:|---------:|-------:|------:|-----------:|\n");
   for (const std::string& folder : folders) {
     const auto manifest = read_json_file(folder + "/manifest.json");
     std::map<std::string, std::vector<std::pair<Errors, Errors>>> errors;
@@ -123,8 +124,12 @@ int run(Arguments& arguments) {
       const std::string path = folder + "/";
       const Log<7> log = read_log<7>(path + file);
       require_external_torque(log);
+      if (log.truth.empty() || log.dq.empty() || log.tau_ext.empty())
+        throw LogError(log.name + ": tau_ext, dq and the truth m, rx, ry, rz are all needed");
       const auto samples = samples_of(log, request.options.arm, request.options.estimator);
       const auto& noise = entry.at("noise");
+      if (numbers(noise.at("coulomb")).cwiseAbs().maxCoeff() > 0)
+        throw LogError(log.name + ": the oracle knows of no friction; make the recordings with --kind link_side");
       const double attach = entry.at("attach_time");
       errors[scenario].emplace_back(oracle(log, samples, request.options.estimator, attach,
                                            -numbers(noise.at("tau_bias")), numbers(noise.at("tau_sigma"))),
@@ -134,17 +139,20 @@ int run(Arguments& arguments) {
     for (const auto& [scenario, list] : errors)
       for (std::size_t k = 0; k < kAfter.size(); ++k) {
         double best = 0, own = 0;
-        int n = 0;
+        std::vector<double> sizes;  // of rme's errors
         for (const auto& [of_oracle, of_rme] : list) {
           if (std::isnan(of_oracle[k])) continue;
           best += of_oracle[k] * of_oracle[k];
           own += of_rme[k] * of_rme[k];
-          ++n;
+          sizes.push_back(std::abs(of_rme[k]));
         }
-        if (n == 0) continue;
-        std::printf("| %-16s | %-2s | %4d | %7.2f | %8.2f | %6.2f | %5.2f |\n",
-                    folder.substr(folder.rfind('/') + 1).c_str(), scenario.c_str(), n, kAfter[k],
-                    1e3 * std::sqrt(best / n), 1e3 * std::sqrt(own / n), std::sqrt(own / best));
+        if (sizes.empty()) continue;
+        const auto n = static_cast<double>(sizes.size());
+        const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+        std::nth_element(sizes.begin(), middle, sizes.end());
+        std::printf("| %-16s | %-2s | %4zu | %7.2f | %8.2f | %6.2f | %5.2f | %10.2f |\n",
+                    folder.substr(folder.rfind('/') + 1).c_str(), scenario.c_str(), sizes.size(), kAfter[k],
+                    1e3 * std::sqrt(best / n), 1e3 * std::sqrt(own / n), std::sqrt(own / best), 1e3 * *middle);
       }
   }
   return 0;

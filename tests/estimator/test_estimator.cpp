@@ -601,8 +601,10 @@ TEST_CASE("Estimator: what is handed over within 0.2 s after expect_change() is 
   }
 }
 
-TEST_CASE("Estimator: with noise of dq, what is handed over after expect_change() is followed as closely as without",
-          "[estimator]") {
+TEST_CASE(
+    "Estimator: with noise of dq, what is handed over after expect_change() is followed within a third as closely as "
+    "without",
+    "[estimator]") {
   double square[] = {0, 0};
   for (const bool noisy : {false, true}) {
     for (unsigned seed = 1; seed <= 12; ++seed) {

@@ -40,14 +40,9 @@ TEST_CASE("Rate: what changes at a rate takes along what is known of both, in ev
     T.block<4, 4>(kPoured, kAll) = dt * rme::Matrix4<double>::Identity();
     all = oracle::congruence(T, all);
     all.block<4, 4>(kPoured, kPoured) += oracle::square(L);
-    const double own = k % 2 == 0 ? 0.4 : 0;  // of what is not carried along, the inertia
-    all.block<6, 6>(kPayload + 4, kPayload + 4) += own * Matrix::Identity(6, 6);
     Dense expected{before.mean, all.topLeftCorner(kAll, kAll)};
     expected.mean.segment<4>(kPoured) += dt * rate.mean;
-    if (own > 0)
-      rate.drift<6>(star, dt, oracle::square(L), own);
-    else
-      rate.drift(star, dt, oracle::square(L));
+    rate.drift(star, dt, oracle::square(L));
     CHECK(difference(dense(star), expected) < 1e-9);
     CHECK((rate.cross - all.block(0, kAll, kShared, 4)).norm() < 1e-12 * all.norm());
     // Of noise that is no number nothing is taken.

@@ -59,12 +59,10 @@ class Pour {
     quick_ = quick;
     star.extend(Star::Last::Poured);
     rate_ = {};
-    waits_ = Scalar(0);
+    square_arm_ = prior.square_arm();
     rate_.covariance = stationary(star, prior, rated_payload);
   }
-  /// Time update of the rate, an Ornstein-Uhlenbeck process about zero, and of the payload, which it changes. Nothing
-  /// is known of the inertia of what is poured but its size: that of the mass. Its noise waits until it shows: it is
-  /// dear.
+  /// Time update of the rate, an Ornstein-Uhlenbeck process about zero, and of the payload, which it changes.
   /// @param star           state; an empty hand begins to hold something
   /// @param duration       of the block [s]
   /// @param prior          of what may be held
@@ -78,20 +76,7 @@ class Pour {
     rate_.covariance *= keep * keep;
     detail::add_scaled(rate_.covariance, Scalar(1) - keep * keep, noise);
     const Matrix4<Scalar> flow = detail::scaled(duration * Scalar(quick_ ? kQuickFlowTime : kFlowTime), noise);
-    // By how much E[m^2] of what has been poured grows.
-    const Scalar more = duration * rate_.mean[0];
-    const Scalar grows = more * (2 * star.poured_mass() + more) + flow(0, 0) +
-                         duration * (2 * rate_.cross(kPoured, 0) + duration * rate_.covariance(0, 0));
-    const Scalar arm = prior.square_arm();
-    waits_ += arm * arm * std::max(Scalar(0), grows);
-    bool shows = false;
-    for (int i = 4; i < kInertial; ++i) shows = shows || waits_ > Scalar(kShows) * star.variance(kPayload + i);
-    if (shows) {
-      rate_.template drift<kInertial - 4>(star, duration, flow, waits_);
-      waits_ = Scalar(0);
-    } else {
-      rate_.drift(star, duration, flow);
-    }
+    rate_.drift(star, duration, flow);
   }
   /// Updates the rate with an observation; to be called before star.observe(j, p).
   void observe(const Star& star, const typename Star::Prediction& p) noexcept { rate_.observe(star, p); }
@@ -109,16 +94,18 @@ class Pour {
       }
       for (int i = 0; i < 4; ++i) out.covariance(i, k) += time * time * rate_.covariance(i, k);
     }
+    const Scalar entry = inertia_variance(star);
+    for (int i = 4; i < kInertial; ++i) out.covariance(i, i) += entry;
     return out;
   }
   Scalar rate() const noexcept { return rate_.mean[0]; }  ///< of the mass [kg/s]
-  /// What has been poured so far becomes part of the payload's phi. Each beta_j keeps its moments with it.
-  void end(Star& star) noexcept {
+  /// What has been poured so far becomes part of the payload's phi. Each beta_j keeps its moments with it. Nothing is
+  /// known of the inertia of what was poured but its size: that of the mass (docs/theory.md (T72)).
+  void end(Star& star) const noexcept {
     if (star.last() != Star::Last::Poured) return;
+    const Scalar entry = inertia_variance(star);
     star.merge_poured();
-    if (waits_ > 0)
-      star.template widen<kPayload + 4, kInertial - 4>(Eigen::Matrix<Scalar, kInertial - 4, 1>::Constant(waits_));
-    waits_ = Scalar(0);
+    star.template widen<kPayload + 4, kInertial - 4>(Eigen::Matrix<Scalar, kInertial - 4, 1>::Constant(entry));
   }
 
  private:
@@ -149,13 +136,17 @@ class Pour {
     }
     return out;
   }
-  static constexpr double kShows = 0.1;       // share of an inertia's variance from which further noise counts
   static constexpr double kLightest = 0.007;  // mass from which the payload's centre is known, per rated payload
 
+  /// Variance of each entry of the inertia of what has been poured.
+  Scalar inertia_variance(const Star& star) const noexcept {
+    const Scalar mass = star.poured_mass();
+    return square_arm_ * square_arm_ * (mass * mass + star.variance(kPoured));
+  }
   Scalar sigma_of() const noexcept { return static_cast<Scalar>(quick_ ? kQuickRate : kRate); }
   bool quick_ = false;
   Rate<Scalar, Dofs> rate_;
-  Scalar waits_ = Scalar(0);  // variance that the entries of the inertia are still to get [(kg m^2)^2]
+  Scalar square_arm_ = Scalar(0);  // E[|r|^2] of what may be held [m^2]
 };
 
 }  // namespace rme

@@ -27,24 +27,15 @@ struct Rate {
   }
   /// The last four entries of x move by dt r; then process noise Q is added to them. Each beta_j keeps its moments with
   /// the old x (docs/theory.md, "The star").
-  /// @tparam Before  number of entries before them that get noise of their own
   /// @param star  state; if Q is not finite, nothing changes
   /// @param dt    [s]
   /// @param Q     covariance of the noise, positive semidefinite
-  /// @param own   variance of the noise of each of the entries before, >= 0
-  template <int Before = 0>
-  void drift(Star& star, Scalar dt, const Matrix4<Scalar>& Q, Scalar own = Scalar(0)) noexcept {
-    // x changes by d = (noise, dt r + noise).
-    Eigen::Matrix<Scalar, Before + 4, 1> mean_move = Eigen::Matrix<Scalar, Before + 4, 1>::Zero();
-    Eigen::Matrix<Scalar, Before + 4, Before + 4> moves = Eigen::Matrix<Scalar, Before + 4, Before + 4>::Zero();
-    Eigen::Matrix<Scalar, kShared, Before + 4> with_x = Eigen::Matrix<Scalar, kShared, Before + 4>::Zero();
-    for (int i = 0; i < Before; ++i) moves(i, i) = own;
-    for (int k = 0; k < 4; ++k) {
-      mean_move[Before + k] = dt * mean[k];
-      for (int i = 0; i < 4; ++i) moves(Before + i, Before + k) = Q(i, k) + dt * dt * covariance(i, k);
-      for (int i = 0; i < kShared; ++i) with_x(i, Before + k) = dt * cross(i, k);
-    }
-    if (!star.template add<kHeldShared - Before>(mean_move, moves, with_x)) return;
+  void drift(Star& star, Scalar dt, const Matrix4<Scalar>& Q) noexcept {
+    // x changes by d = dt r + noise.
+    const Vector4<Scalar> moves_mean = detail::scaled(dt, mean);
+    Matrix4<Scalar> moves = Q;
+    detail::add_scaled(moves, dt * dt, covariance);
+    if (!star.template add<kHeldShared>(moves_mean, moves, typename Star::Cross(detail::scaled(dt, cross)))) return;
     for (int k = 0; k < 4; ++k)
       for (int i = 0; i < 4; ++i) cross(kHeldShared + i, k) += dt * covariance(i, k);
   }

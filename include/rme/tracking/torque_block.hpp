@@ -40,8 +40,8 @@ struct TorqueBlock {
   int samples = 0;                                      ///< number of samples
   /// Time between the last block and this one: that of the samples that restart() has left out [s].
   Scalar skipped = Scalar(0);
-  Scalar usual =
-      Scalar(0);  ///< duration of the blocks from which noise is learned, if it is clearly longer; else 0 [s]
+  /// Duration of the blocks from which noise is learned, if it is clearly longer than this one's; else 0 [s].
+  Scalar usual = Scalar(0);
   /// Posterior variance of the flange's linear acceleration in `regressor`, mean over the axes [(m/s^2)^2]. It is a
   /// noise of the torque, m^2 times as large per axis. 0 if the host gives the motion.
   Scalar acceleration_variance = Scalar(0);
