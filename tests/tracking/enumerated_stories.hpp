@@ -259,7 +259,8 @@ class EnumeratedStories {
       if (parent.mode != Mode::Pouring) {
         if (child.payload == 0) child.pour.suppose_hidden(model, child.star, prior_);
         child.log_none.reset();
-        child.pour.begin(child.star, prior_, rated_, child.quick);
+        const PourKind held = child.payload == 0 ? PourKind::TakenUp : PourKind::More;
+        child.pour.begin(child.star, prior_, rated_, child.quick ? PourKind::Quick : held);
         if (child.payload == 0) {
           child.payload = child.next++;
           child.held_for = 0;

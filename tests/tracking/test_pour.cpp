@@ -58,13 +58,17 @@ TEST_CASE("Pour: payload and rate are what one dense filter over both makes of r
   for (const double mass : {0.0, 0.8}) {
     CAPTURE(mass);
     Star star = mass > 0 ? holding(mass) : Star();
-    const auto stationary = [&] {  // along the payload's own (m, m r), and 0.7 of the prior's spread about it
-      const double sigma = 0.03 * kRated, held = star.mass();
+    const auto centre = [&]() -> rme::Vector3<double> {
+      if (star.mass() > 0.007 * kRated) return star.payload_mean().segment<3>(1) / star.mass();
+      return prior().com_mean;
+    };
+    // Along the payload's own (m, m r), and about it; an empty hand takes up anything.
+    const auto stationary = [&] {
+      const double sigma = 0.03 * kRated;
       rme::Vector4<double> along(1, 0, 0, 0);
-      along.tail<3>() =
-          held > 0.007 * kRated ? rme::Vector3<double>(star.payload_mean().segment<3>(1) / held) : prior().com_mean;
+      along.tail<3>() = centre();
       rme::Matrix4<double> out = sigma * sigma * along * along.transpose();
-      for (int i = 0; i < 3; ++i) out(1 + i, 1 + i) += std::pow(0.7 * prior().com_std[i] * sigma, 2);
+      for (int i = 0; i < 3; ++i) out(1 + i, 1 + i) += std::pow((mass > 0 ? 0.4 : 1) * prior().com_std[i] * sigma, 2);
       return out;
     };
     Vector mean = Vector::Zero(kShared + 4);
@@ -73,7 +77,7 @@ TEST_CASE("Pour: payload and rate are what one dense filter over both makes of r
     P.topLeftCorner(kShared, kShared) = star.covariance();
     P.bottomRightCorner(4, 4) = stationary();
     Pour pour;
-    pour.begin(star, prior(), kRated, false);
+    pour.begin(star, prior(), kRated, mass > 0 ? rme::PourKind::More : rme::PourKind::TakenUp);
     for (int k = 0; k < 40; ++k) {
       CAPTURE(k);
       const double keep = std::exp(-kBlock / 3);
@@ -82,6 +86,13 @@ TEST_CASE("Pour: payload and rate are what one dense filter over both makes of r
       T.bottomRightCorner(4, 4) *= keep;
       T.block<4, 4>(kPoured, kShared) = kBlock * keep * rme::Matrix4<double>::Identity();
       mean = oracle::product(T, mean);
+      // An error of the payload's own centre is one of what is poured as well: m r grows with m.
+      const double before = mean[kPayload];
+      const double share = kBlock * mean[kShared] * before / (before * before + P(kPayload, kPayload));
+      for (int i = 0; mass > 0 && i < 3; ++i) {
+        T(kPoured + 1 + i, kPayload + 1 + i) = share;
+        T(kPoured + 1 + i, kPayload) = -share * centre()[i];
+      }
       P = oracle::congruence(T, P);
       // The rate's new noise already moves the payload in this block.
       Matrix G = Matrix::Zero(kShared + 4, 4);
@@ -155,7 +166,7 @@ TEST_CASE("Pour: what is held later is what the rate makes of it, and less certa
   std::normal_distribution<double> normal;
   Star star = holding(0.5);
   Pour pour;
-  pour.begin(star, prior(), kRated, true);
+  pour.begin(star, prior(), kRated, rme::PourKind::Quick);
   for (int k = 0; k < 5; ++k) {
     pour.predict(star, kBlock, prior(), kRated);
     for (int j = 0; j < kDofs; ++j) {
@@ -197,7 +208,7 @@ TEST_CASE("Pour: a steady flow is followed in mass and rate, into an empty hand,
     CAPTURE(start, rate);
     Star star = start > 0 ? holding(start) : Star();
     Pour pour;
-    pour.begin(star, prior(), kRated, false);
+    pour.begin(star, prior(), kRated, rme::PourKind::More);
     double mass = start;
     for (int k = 0; k < 250; ++k) {
       mass += rate * kBlock;
@@ -217,12 +228,39 @@ TEST_CASE("Pour: a steady flow is followed in mass and rate, into an empty hand,
   }
 }
 
-TEST_CASE("Pour: a payload that was hidden by the nuisances changes no prediction, and all the more the mass",
+TEST_CASE("Pour: more of what is held shares its centre of mass, and what is not known of it", "[pour]") {
+  // A cup of which x is hardly known is filled; only its weight shows. So x is known no better at the end.
+  Star star = holding(0.4);
+  auto phi = star.mean();
+  rme::SharedMatrix<double> factor = star.factor();
+  phi[kPayload + 1] = 0.4 * 0.02;
+  factor.row(kPayload + 1).setZero();
+  factor(kPayload + 1, kPayload + 1) = 0.4 * 0.05;
+  star.set_shared(phi, factor);
+  Pour pour;
+  pour.begin(star, prior(), kRated, rme::PourKind::More);
+  for (int k = 1; k <= 500; ++k) {
+    pour.predict(star, kBlock, prior(), kRated);
+    rme::JointObservation<double> o{0.4 + 0.08 * k * kBlock, rme::SharedVector<double>::Zero(),
+                                    rme::JointNuisanceVector<double>::Zero(), 1e-6};
+    o.h[kPayload] = o.h[kPoured] = 1;
+    const auto p = star.predict(0, o);
+    pour.observe(star, p);
+    star.observe(0, p);
+  }
+  const double mass = star.mass(), deviation = std::sqrt(star.payload_covariance()(1, 1)) / mass;
+  REQUIRE(mass == Approx(1.2).epsilon(0.01));
+  CHECK(star.payload_mean()[1] / mass == Approx(0.02).epsilon(0.05));
+  CHECK(deviation == Approx(0.05).epsilon(0.1));
+}
+
+TEST_CASE("Pour: a payload that was hidden by the nuisances changes no prediction, wherever its centre of mass is",
           "[pour]") {
   rme::testing::joints::Scene scene(rme::Sensing::JointFriction);
   scene.block({0.3, -0.3});
   auto star = scene.star;
   Pour::suppose_hidden(scene.model, star, prior());
+  const rme::InertialMatrix<double> hidden = star.payload_covariance();
   double precision = 0;
   for (int j = 0; j < kDofs; ++j) {
     const auto o = scene.model.observation(j, {});
@@ -233,13 +271,19 @@ TEST_CASE("Pour: a payload that was hidden by the nuisances changes no predictio
     for (int n = 0; n < rme::kJointNuisances; ++n) able += V(n, n) * o.c[n] * o.c[n];
     precision += torque * torque / (able + o.noise);
     CHECK(after.innovation == Approx(before.innovation));
-    // What the noise would have let through of a payload of this size, and what its inertia takes.
-    const double through = torque * o.noise / (able + o.noise);
-    const double turns = 0.0221 * 0.0221 * o.h.segment<6>(kPayload + 4).squaredNorm();
-    CHECK(after.variance == Approx(before.variance + (through * through + turns) * star.mass_variance()));
+    // What the noise would have let through of any such payload, and what its inertia takes.
+    Vector through = o.h.segment(kPayload, rme::kInertial);
+    through.head(4) *= o.noise / (able + o.noise);
+    CHECK(after.variance == Approx(before.variance + through.dot(hidden * through)));
   }
   REQUIRE(precision > 0);
-  CHECK(star.mass_variance() == Approx(9 / precision));
+  const double square = 9 / precision;
+  CHECK(star.mass_variance() == Approx(square));
+  // As that of a payload of this size: the centre is unknown as well.
+  const rme::Vector3<double> spread(0.06, 0.06, 0.07);
+  for (int i = 0; i < 3; ++i)
+    CHECK(hidden(1 + i, 1 + i) == Approx(square * (spread[i] * spread[i] + (i == 2 ? 0.01 : 0))));
+  CHECK(hidden(4, 4) == Approx(square * 0.0221 * 0.0221));
 }
 
 }  // namespace

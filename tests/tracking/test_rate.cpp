@@ -10,7 +10,10 @@ namespace {
 
 using namespace rme::testing;
 
-TEST_CASE("Rate: what changes at a rate takes along what is known of both, in every pair of a star", "[rate]") {
+TEST_CASE(
+    "Rate: what changes at a rate, and with what is not known of x, takes along what is known of both, in every pair "
+    "of a star",
+    "[rate]") {
   // (x, beta, r): beta depends on r through x alone, so cov(beta_j, r) = B_j cov(x, r).
   const unsigned seed = 514;
   CAPTURE(seed);
@@ -38,11 +41,16 @@ TEST_CASE("Rate: what changes at a rate takes along what is known of both, in ev
           oracle::product(oracle::transposed(star.joint(j).slope), Matrix(rate.cross));
     all.bottomLeftCorner(4, kAll) = all.topRightCorner(kAll, 4).transpose();
     T.block<4, 4>(kPoured, kAll) = dt * rme::Matrix4<double>::Identity();
+    const Matrix A = 0.2 * oracle::random_matrix(random, kShared, 4);
+    if (k % 3 == 1) T.block(kPoured, 0, 4, kShared) += A.transpose();
     all = oracle::congruence(T, all);
     all.block<4, 4>(kPoured, kPoured) += oracle::square(L);
     Dense expected{before.mean, all.topLeftCorner(kAll, kAll)};
     expected.mean.segment<4>(kPoured) += dt * rate.mean;
-    rate.drift(star, dt, oracle::square(L));
+    if (k % 3 == 1)
+      rate.drift(star, dt, oracle::square(L), A);
+    else
+      rate.drift(star, dt, oracle::square(L));
     CHECK(difference(dense(star), expected) < 1e-9);
     CHECK((rate.cross - all.block(0, kAll, kShared, 4)).norm() < 1e-12 * all.norm());
     // Of noise that is no number nothing is taken.

@@ -68,6 +68,27 @@ TEST_CASE("ShrunkRate: in motion the posterior mean dilutes no regressor, and it
   CHECK(variance / error == Approx(1).epsilon(0.3));
 }
 
+TEST_CASE("ShrunkRate: the mean of a learned rate has little of a block's own noise, and all of a clear change",
+          "[rate]") {
+  const unsigned seed = 716;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  Learned rate;
+  const double deviation = 0.5;
+  double own = 0, plain = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const double e = deviation * normal(random);
+    const auto posterior = rate.update(5 + e, 0);
+    if (i < 100) continue;
+    own += posterior.mean * e;
+    plain += posterior.share * (5 + e) * e;
+  }
+  CHECK(own < 0.2 * plain);
+  CHECK(rate.update(15, 0).mean == Approx(15).epsilon(0.05));
+  CHECK(rate.update(-20, 0).mean == Approx(-20).epsilon(0.05));
+}
+
 TEST_CASE("ShrunkRate: with a clean dq, motion passes to 1e-3 from its first block on", "[rate]") {
   const unsigned seed = 713;
   CAPTURE(seed);

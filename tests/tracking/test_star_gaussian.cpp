@@ -275,21 +275,20 @@ TEST_CASE("StarGaussian: what changes the payload or the tool keeps the moments 
       CHECK(changed.empty() == !held);
     }
     // Something may be in the hand that the nuisances have taken for their own.
-    rme::Vector4<double> along = random_vector(random, 4);
-    along[0] = 0.5 + std::abs(along[0]);
-    std::array<Star::Beta, kJoints> shift;
-    Vector column = Vector::Zero(kAll);
-    column.segment<4>(kPayload) = along;
+    const Matrix hidden = oracle::random_matrix(random, kInertial, kInertial);
+    std::array<Star::Absorbed, kJoints> absorbed;
+    Matrix columns = Matrix::Zero(kAll, kInertial);
+    columns.middleRows(kPayload, kInertial) = hidden;
     for (int j = 0; j < kJoints; ++j) {
-      shift[static_cast<std::size_t>(j)] = random_vector(random, kJointNuisances);
-      column.segment(first(j), kJointNuisances) = shift[static_cast<std::size_t>(j)];
+      auto& of = absorbed[static_cast<std::size_t>(j)];
+      of = oracle::random_matrix(random, 4, kJointNuisances);
+      columns.middleRows(first(j), kJointNuisances) = of.transpose() * hidden.topRows(4);
     }
     expected = empty;
-    expected.covariance += column * column.transpose();
-    expected.covariance.diagonal().segment<6>(kPayload + 4).array() += 0.09;
+    expected.covariance += columns * columns.transpose();
     changed = star;
     changed.forget_payload();
-    changed.suppose_payload(along, 0.3, shift);
+    changed.suppose_payload(hidden, absorbed);
     CHECK(difference(dense(changed), expected) < 1e-9);
   }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <rme/core/small_matrix.hpp>
 #include <rme/core/types.hpp>
 #include <rme/tracking/arm_prior.hpp>
@@ -13,6 +14,13 @@
 #include <rme/tracking/star_gaussian.hpp>
 
 namespace rme {
+
+/// What a pour is.
+enum class PourKind : std::uint8_t {
+  More,     ///< of what is held: a cup is filled, or emptied
+  TakenUp,  ///< by an empty hand
+  Quick,    ///< taken up within seconds: handed over, or lifted off a table
+};
 
 /// The rate of (m, m r), part of the state of a filter while something is poured (docs/theory.md (T22)): a Gaussian
 /// that is correlated with the star's x. Real time: nothing allocates.
@@ -31,36 +39,40 @@ class Pour {
     Vector4<Scalar> along;
     along[0] = 1;
     for (int i = 0; i < 3; ++i) along[1 + i] = prior.com_mean[i];
-    std::array<typename Star::Beta, static_cast<std::size_t>(Dofs)> shift;
+    std::array<typename Star::Absorbed, static_cast<std::size_t>(Dofs)> absorbed;
     Scalar precision = Scalar(0);
     for (int j = 0; j < Dofs; ++j) {
       const JointObservation<Scalar> o = model.observation(j, Load<Scalar, Dofs>());
+      typename Star::Beta share;
       Scalar torque = Scalar(0), able = Scalar(0);
-      for (int i = 0; i < 4; ++i) torque += model.block().regressor(j, i) * along[i];
-      auto& absorbed = shift[static_cast<std::size_t>(j)];
       const auto V = star.nuisance_covariance(j);
       for (int n = 0; n < kJointNuisances; ++n) {
-        absorbed[n] = V(n, n) * o.c[n];
-        able += absorbed[n] * o.c[n];
+        share[n] = V(n, n) * o.c[n];
+        able += share[n] * o.c[n];
       }
-      absorbed *= -torque / (able + o.noise);
+      for (int i = 0; i < 4; ++i) {
+        const Scalar h = model.block().regressor(j, i);
+        torque += h * along[i];
+        for (int n = 0; n < kJointNuisances; ++n)
+          absorbed[static_cast<std::size_t>(j)](i, n) = -share[n] * h / (able + o.noise);
+      }
       precision += torque * torque / (able + o.noise);
     }
-    const Scalar mass = Scalar(kHidden) / std::sqrt(std::max(precision, Scalar(1e-6)));
-    for (auto& s : shift) s *= mass;
-    star.suppose_payload(detail::scaled(mass, along), mass * prior.square_arm(), shift);
+    PayloadPrior<Scalar> hidden = prior;
+    hidden.mass_std = Scalar(kHidden) / std::sqrt(std::max(precision, Scalar(1e-6)));
+    star.suppose_payload(hidden.factor(hidden.mass_std * hidden.mass_std), absorbed);
   }
   /// A pour that nothing is known of.
   /// @param star           state; from here on it has what is poured as unknowns of its own
   /// @param prior          of what may be held
   /// @param rated_payload  [kg]
-  /// @param quick          it is taken up within seconds: handed over, or lifted off a table
-  void begin(Star& star, const PayloadPrior<Scalar>& prior, Scalar rated_payload, bool quick) noexcept {
-    quick_ = quick;
+  /// @param kind           what it is
+  void begin(Star& star, const PayloadPrior<Scalar>& prior, Scalar rated_payload, PourKind kind) noexcept {
+    kind_ = kind;
     star.extend(Star::Last::Poured);
     rate_ = {};
     square_arm_ = prior.square_arm();
-    rate_.covariance = stationary(star, prior, rated_payload);
+    rate_.covariance = stationary(centre(star, prior, rated_payload), prior, rated_payload);
   }
   /// Time update of the rate, an Ornstein-Uhlenbeck process about zero, and of the payload, which it changes.
   /// @param star           state; an empty hand begins to hold something
@@ -69,14 +81,18 @@ class Pour {
   /// @param rated_payload  [kg]
   void predict(Star& star, Scalar duration, const PayloadPrior<Scalar>& prior, Scalar rated_payload) noexcept {
     using std::exp;
-    const Matrix4<Scalar> noise = stationary(star, prior, rated_payload);
-    const Scalar keep = exp(-duration / Scalar(quick_ ? kQuickTime : kRateTime));
+    const Vector3<Scalar> r = centre(star, prior, rated_payload);
+    const Matrix4<Scalar> noise = stationary(r, prior, rated_payload);
+    const Scalar keep = exp(-duration / Scalar(quick() ? kQuickTime : kRateTime));
     rate_.mean *= keep;
     rate_.cross *= keep;
     rate_.covariance *= keep * keep;
     detail::add_scaled(rate_.covariance, Scalar(1) - keep * keep, noise);
-    const Matrix4<Scalar> flow = detail::scaled(duration * Scalar(quick_ ? kQuickFlowTime : kFlowTime), noise);
-    rate_.drift(star, duration, flow);
+    const Matrix4<Scalar> flow = detail::scaled(duration * Scalar(quick() ? kQuickFlowTime : kFlowTime), noise);
+    if (kind_ == PourKind::More)
+      rate_.drift(star, duration, flow, follows(star, duration, r));
+    else
+      rate_.drift(star, duration, flow);
   }
   /// Updates the rate with an observation; to be called before star.observe(j, p).
   void observe(const Star& star, const typename Star::Prediction& p) noexcept { rate_.observe(star, p); }
@@ -115,36 +131,53 @@ class Pour {
   static constexpr double kRateTime = 3;                     // correlation time of the rate [s]
   static constexpr double kFlowTime = 0.02;  // the flow's own noise: what flows at kRate in this time, each time [s]
   static constexpr double kQuickFlowTime = 0.002;  // the same of what is taken up quickly
-  static constexpr double kSpread = 0.7;           // spread of what is poured about the payload's centre, in com_std
+  static constexpr double kSpread = 0.4;      // spread of more of what is held about the payload's centre, in com_std
+  static constexpr double kLightest = 0.007;  // mass from which the payload's centre is known, per rated payload
 
-  /// Covariance of the rate before anything is known of it: along the payload's own (m, m r), and about it.
-  Matrix4<Scalar> stationary(const Star& star, const PayloadPrior<Scalar>& prior, Scalar rated) const noexcept {
-    const Scalar sigma = sigma_of() * rated, held = star.mass();
+  bool quick() const noexcept { return kind_ == PourKind::Quick; }
+  /// Centre of mass of what is held, as far as it is plausible [m].
+  static Vector3<Scalar> centre(const Star& star, const PayloadPrior<Scalar>& prior, Scalar rated) noexcept {
     const InertialVector<Scalar> phi = star.payload_mean();
+    Vector3<Scalar> r = prior.com_mean;
+    for (int i = 0; i < 3 && phi[0] > Scalar(kLightest) * rated; ++i) {
+      const Scalar most = 3 * prior.com_std[i];
+      r[i] += std::max(-most, std::min(most, phi[1 + i] / phi[0] - prior.com_mean[i]));
+    }
+    return r;
+  }
+  /// Covariance of the rate before anything is known of it: along (1, r), and about it.
+  Matrix4<Scalar> stationary(const Vector3<Scalar>& r, const PayloadPrior<Scalar>& prior, Scalar rated) const noexcept {
+    const Scalar sigma = Scalar(quick() ? kQuickRate : kRate) * rated;
     Vector4<Scalar> along;
     along[0] = sigma;
+    for (int i = 0; i < 3; ++i) along[1 + i] = sigma * r[i];
+    Matrix4<Scalar> out = detail::outer_square(along);
     for (int i = 0; i < 3; ++i) {
-      const Scalar off = 3 * prior.com_std[i];
-      const Scalar com = held > Scalar(kLightest) * rated ? phi[1 + i] / held - prior.com_mean[i] : Scalar(0);
-      along[1 + i] = sigma * (prior.com_mean[i] + std::max(-off, std::min(off, com)));
-    }
-    Matrix4<Scalar> out = Matrix4<Scalar>::Zero();
-    detail::add_outer(out, along, along);
-    for (int i = 0; i < 3; ++i) {
-      const Scalar s = Scalar(kSpread) * prior.com_std[i] * sigma;
+      const Scalar s = Scalar(kind_ == PourKind::More ? kSpread : 1) * prior.com_std[i] * sigma;
       out(1 + i, 1 + i) += s * s;
     }
     return out;
   }
-  static constexpr double kLightest = 0.007;  // mass from which the payload's centre is known, per rated payload
-
+  /// More of what is held has the same centre of mass, whatever that is: an error of the payload's goes with it
+  /// (docs/theory.md (T74)).
+  /// @param r  the centre [m]
+  typename Star::Cross follows(const Star& star, Scalar duration, const Vector3<Scalar>& r) const noexcept {
+    typename Star::Cross out = Star::Cross::Zero();
+    const Scalar before = star.mean()[kPayload];  // the pour began
+    if (!(before > 0)) return out;
+    const Scalar share = duration * rate_.mean[0] * before / (before * before + star.variance(kPayload));
+    for (int i = 0; i < 3; ++i) {
+      out(kPayload + 1 + i, 1 + i) = share;
+      out(kPayload, 1 + i) = -share * r[i];
+    }
+    return out;
+  }
   /// Variance of each entry of the inertia of what has been poured.
   Scalar inertia_variance(const Star& star) const noexcept {
     const Scalar mass = star.poured_mass();
     return square_arm_ * square_arm_ * (mass * mass + star.variance(kPoured));
   }
-  Scalar sigma_of() const noexcept { return static_cast<Scalar>(quick_ ? kQuickRate : kRate); }
-  bool quick_ = false;
+  PourKind kind_ = PourKind::More;
   Rate<Scalar, Dofs> rate_;
   Scalar square_arm_ = Scalar(0);  // E[|r|^2] of what may be held [m^2]
 };

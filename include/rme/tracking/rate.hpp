@@ -11,10 +11,11 @@ namespace rme {
 template <typename Scalar, int Dofs>
 struct Rate {
   using Star = StarGaussian<Scalar, Dofs>;  ///< state of the filter
+  using Cross = typename Star::Cross;       ///< covariance of x and the rate
 
   Vector4<Scalar> mean = Vector4<Scalar>::Zero();        ///< [of x / s]
   Matrix4<Scalar> covariance = Matrix4<Scalar>::Zero();  ///< of the rate
-  typename Star::Cross cross = Star::Cross::Zero();      ///< cov(x, rate)
+  Cross cross = Cross::Zero();                           ///< cov(x, rate)
 
   /// Updates the rate with an observation; to be called before star.observe(j, p).
   void observe(const Star& star, const typename Star::Prediction& p) noexcept {
@@ -31,13 +32,31 @@ struct Rate {
   /// @param dt    [s]
   /// @param Q     covariance of the noise, positive semidefinite
   void drift(Star& star, Scalar dt, const Matrix4<Scalar>& Q) noexcept {
-    // x changes by d = dt r + noise.
-    const Vector4<Scalar> moves_mean = detail::scaled(dt, mean);
-    Matrix4<Scalar> moves = Q;
+    move(star, dt, Q, Matrix4<Scalar>::Zero(), Cross::Zero());
+  }
+  /// The same if they also move by A^T (x - E[x]), as what is not known of x does.
+  void drift(Star& star, Scalar dt, const Matrix4<Scalar>& Q, const Cross& A) noexcept {
+    const Cross spread = detail::transposed_product(star.factor(), A);
+    Matrix4<Scalar> noise = Q;
+    noise += detail::transposed_product(spread, spread);
+    move(star, dt, noise, detail::transposed_product(A, cross), detail::product(star.factor(), spread));
+  }
+
+ private:
+  /// @param noise    covariance of what x moves by beside dt r
+  /// @param follows  cov(that, r)
+  /// @param with     cov(x, that)
+  void move(Star& star, Scalar dt, const Matrix4<Scalar>& noise, const Matrix4<Scalar>& follows,
+            const Cross& with) noexcept {
+    Matrix4<Scalar> moves = noise;
     detail::add_scaled(moves, dt * dt, covariance);
-    if (!star.template add<kHeldShared>(moves_mean, moves, typename Star::Cross(detail::scaled(dt, cross)))) return;
     for (int k = 0; k < 4; ++k)
-      for (int i = 0; i < 4; ++i) cross(kHeldShared + i, k) += dt * covariance(i, k);
+      for (int i = 0; i < 4; ++i) moves(i, k) += dt * (follows(i, k) + follows(k, i));
+    Cross shown = with;
+    detail::add_scaled(shown, dt, cross);
+    if (!star.template add<kHeldShared>(Vector4<Scalar>(detail::scaled(dt, mean)), moves, shown)) return;
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i < 4; ++i) cross(kHeldShared + i, k) += dt * covariance(i, k) + follows(i, k);
   }
 };
 

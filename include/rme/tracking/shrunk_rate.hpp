@@ -18,7 +18,12 @@ enum class RateNoise {
 /// block. The posterior mean k x, k = s^2 / (s^2 + noise), has no such effect: given k x, the error a - k x is zero on
 /// average. The prior's variance s^2 is the mean product of successive rates, which contains no noise; as long as it is
 /// not significantly above zero, s^2 and k are exactly zero. A single rate far above the noise counts at once, so that
-/// an arm that starts is not held back. Real time: a few operations, no loop, nothing allocates.
+/// an arm that starts is not held back.
+///
+/// The noise of a torque raises its rate as well: what stands beside the torque, and is multiplied by a lag, has the
+/// same error as the torque. That makes any torque look late while it changes. So the mean of a learned rate contains
+/// little of the block's own noise: it follows only changes that are clearly larger (docs/theory.md (T73)). Real time:
+/// a few operations, no loop, nothing allocates.
 template <typename Scalar, RateNoise Source>
 class ShrunkRate {
  public:
@@ -26,6 +31,7 @@ class ShrunkRate {
   struct Posterior {
     Scalar share = Scalar(0);     ///< k: the posterior mean is k x; from 0 to 1
     Scalar variance = Scalar(0);  ///< of a - k x, in units of x squared
+    Scalar mean = Scalar(0);      ///< posterior mean of a: k x, or k times the rate that is followed (Learned)
   };
 
   /// Takes in the rate of the next block.
@@ -67,6 +73,9 @@ class ShrunkRate {
     // k need not be the best factor, so not k variance, but the mean square of (1 - k) a - k noise. In the first term
     // any rate counts, also one whose sign changes from block to block; but a^2 is not above x^2 + variance on average,
     // however large rates were before.
+    const Scalar off = rate - followed_, unclear = Scalar(kClear * kClear) * level;
+    followed_ += std::max(blend, off * off > unclear ? Scalar(1) - unclear / (off * off) : Scalar(0)) * off;
+    out.mean = out.share * (Source == RateNoise::Known ? rate : followed_);
     const Scalar missing = Scalar(1) - out.share;
     const Scalar rates = std::min(std::max(Scalar(0), square_ - variance), square + variance);
     out.variance = out.share * out.share * variance + missing * missing * rates;
@@ -82,11 +91,13 @@ class ShrunkRate {
   static constexpr double kSignificant = 4;    // standard deviations of the mean product that count as zero
   static constexpr double kOutstanding = 4.5;  // standard deviations of the noise beyond which a single rate is real
   static constexpr double kLargestChange = 9;  // in multiples of what is usual
+  static constexpr double kClear = 2;          // standard deviations of the noise up to which a change is not followed
 
   int blocks_ = 0;        // at most kNoiseMemory - 1
   int quiet_ = 0;         // rates in a row that were no larger than their noise, at most kFew + 1
   bool follows_ = false;  // last_ is of the block before
   Scalar last_ = Scalar(0);
+  Scalar followed_ = Scalar(0);  // rate whose small changes count as noise
   // Exponentially forgotten means of x_k x_k-1, of (x_k - x_k-1)^2 / 2, and of x_k^2.
   Scalar product_ = Scalar(0), change_ = Scalar(0), square_ = Scalar(0);
 };

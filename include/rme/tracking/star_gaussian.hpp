@@ -36,6 +36,7 @@ class StarGaussian {
   using BetaMatrix = JointNuisanceMatrix<Scalar>;                 ///< 6x6
   using Slope = Eigen::Matrix<Scalar, kShared, kJointNuisances>;  ///< 21x6
   using Cross = Eigen::Matrix<Scalar, kShared, 4>;                ///< covariance of x and four other unknowns
+  using Absorbed = Eigen::Matrix<Scalar, 4, kJointNuisances>;     ///< d beta_j / d (m, m r)^T
   /// What the last entries of x are.
   enum class Last : std::uint8_t {
     Nothing,  ///< they are zero
@@ -276,19 +277,15 @@ class StarGaussian {
     }
     size_ = kHeldShared;
   }
-  /// The hand may hold `along` times z, z ~ N(0, 1), and the joints' nuisances have taken it for their own: each beta_j
-  /// is then off by shift[j] times z. The hand has to be empty.
-  /// @param along    standard deviation of each entry of (m, m r); along[0] > 0
-  /// @param inertia  that of each entry of the inertia, independent of z
-  /// @param shift    of each joint
-  void suppose_payload(const Vector4<Scalar>& along, Scalar inertia,
-                       const std::array<Beta, static_cast<std::size_t>(Dofs)>& shift) noexcept {
-    for (int i = 0; i < 4; ++i) factor_(kPayload + i, kPayload) = along[i];
-    for (int i = 4; i < kInertial; ++i) factor_(kPayload + i, kPayload + i) = inertia;
+  /// The hand may hold a payload phi ~ N(0, factor factor^T), and the joints' nuisances have taken it for their own:
+  /// beta_j is then off by absorbed[j]^T (m, m r). The hand has to be empty.
+  void suppose_payload(const InertialMatrix<Scalar>& factor,
+                       const std::array<Absorbed, static_cast<std::size_t>(Dofs)>& absorbed) noexcept {
+    draw_payload(InertialVector<Scalar>::Zero(), factor);
     for (int j = 0; j < Dofs; ++j)
-      for (int n = 0; n < kJointNuisances; ++n)
-        joint(j).slope(kPayload, n) = shift[static_cast<std::size_t>(j)][n] / along[0];
-    size_ = kHeldShared;
+      for (int i = 0; i < 4; ++i)
+        for (int n = 0; n < kJointNuisances; ++n)
+          joint(j).slope(kPayload + i, n) = absorbed[static_cast<std::size_t>(j)](i, n);
   }
   /// The payload turns out to be none: everything else is as it is given phi = 0. Nothing may pour or swing. The hand
   /// is empty afterwards.

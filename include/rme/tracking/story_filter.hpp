@@ -113,7 +113,8 @@ class StoryFilter {
         if (child.payload == 0 && !model_.exchange_likely())  // if the host says so, it begins now
           child.pour.suppose_hidden(model_, child.star, payload_);
         child.log_none.reset();
-        child.pour.begin(child.star, payload_, rated_, child.quick);
+        const PourKind held = child.payload == 0 ? PourKind::TakenUp : PourKind::More;
+        child.pour.begin(child.star, payload_, rated_, child.quick ? PourKind::Quick : held);
         if (child.payload == 0) {
           child.payload = child.take_next();
           child.held_for = Scalar(0);

@@ -79,7 +79,7 @@ struct BlockContext {
 /// up to 60 ms if dq is noisy: the acceleration is part of the payload's regressor, and errors of a regressor do not
 /// average out, but make the payload look lighter. So the part of each joint's acceleration that counts as noise of dq
 /// is taken out of the regressor (ShrunkRate; docs/theory.md, "Noise in the regressor"). The rate of tau_ext, the
-/// regressor of a lag, is treated in the same way.
+/// regressor of a lag, is treated in a similar way.
 ///
 /// Periods of 0.1 ms to 0.1 s are possible. They may vary, and samples may be missing: each sample counts for the time
 /// since the last one. If the host is so slow that a block is a single sample, the acceleration is the difference of
@@ -264,7 +264,7 @@ void BlockAverager<Scalar, Dofs>::shrink() noexcept {
     }
     // The rounding error of a quantised torque is at most half a step.
     const Scalar rounding = Scalar(0.25) * step_[j] * step_[j];
-    sums_.torque_rate[j] *= torque_rate_[j].update(sums_.torque_rate[j], slope * rounding).share;
+    sums_.torque_rate[j] = torque_rate_[j].update(sums_.torque_rate[j], slope * rounding).mean;
   }
   sums_.acceleration_variance = own * own * linear / 3;
   sums_.angular_acceleration_variance = own * own * angular / 3;
