@@ -58,9 +58,10 @@ class Pour {
       }
       precision += torque * torque / (able + o.noise);
     }
+    const Scalar square = Scalar(1) / std::max(precision, Scalar(1e-6));  // of what one standard deviation hides
     PayloadPrior<Scalar> hidden = prior;
-    hidden.mass_std = Scalar(kHidden) / std::sqrt(std::max(precision, Scalar(1e-6)));
-    star.suppose_payload(hidden.factor(hidden.mass_std * hidden.mass_std), absorbed);
+    hidden.mass_std = Scalar(kHidden) * std::sqrt(square);
+    star.suppose_payload(hidden.factor(Scalar(kAside * kAside) * square), absorbed);
   }
   /// A pour that nothing is known of.
   /// @param star           state; from here on it has what is poured as unknowns of its own
@@ -126,6 +127,7 @@ class Pour {
 
  private:
   static constexpr double kHidden = 3;   // standard deviations of all joints together that may hide a payload
+  static constexpr double kAside = 1.5;  // the same of the mass whose centre is not the prior's
   static constexpr double kRate = 0.03;  // standard deviation of the rate of mass per rated payload [1/s]
   static constexpr double kQuickRate = 1, kQuickTime = 0.5;  // the same of what is taken up quickly
   static constexpr double kRateTime = 3;                     // correlation time of the rate [s]
