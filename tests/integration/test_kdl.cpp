@@ -281,7 +281,7 @@ TEST_CASE("KDL: under noise the lightest and the heaviest payload are found with
           "[kdl][noise]") {
   int lives = 0, beyond = 0, confident = 0;
   const auto live_often = [&](const auto& once) {
-    for (unsigned seed = 17; seed < 21; ++seed)
+    for (unsigned seed = 17; seed < 25; ++seed)
       for (const bool moving : {false, true})
         for (const bool heavy : {false, true}) {
           CAPTURE(seed, moving, heavy);
@@ -304,7 +304,7 @@ TEST_CASE("KDL: under noise the lightest and the heaviest payload are found with
   live_often(Often<6>{kLarge, 10});
   live_often(Often<7>{kHand, 3});
   CAPTURE(lives);
-  CHECK(beyond <= 1);  // of 48: at rest, friction that nobody excluded may have held a part
+  CHECK(beyond <= 2);  // of 96: at rest, friction that nobody excluded may have held a part
   CHECK(confident == 0);
 }
 
