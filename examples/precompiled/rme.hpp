@@ -7,6 +7,7 @@
 #include <rme/control/cpic.hpp>
 #include <rme/control/passive_controller.hpp>
 #include <rme/estimator.hpp>
+#include <rme/host/payload_compensation.hpp>
 #include <rme/inference/exact_posterior.hpp>
 #include <rme/inference/mean_field.hpp>
 #include <rme/inference/payload_statistics.hpp>
@@ -40,8 +41,11 @@ extern template Status infer_payload(const PayloadLikelihood<double>&, const Pay
                                      InferenceResult<double>&, const StochasticViConfig&, std::mt19937_64&) noexcept;
 extern template class MismatchNetwork<double>;
 extern template class MismatchNetwork<float>;
+extern template struct InertialParameters<double>;
+extern template class CompensationRamp<double, 7>;
 extern template class MomentumObserver<double, 7>;
 extern template class Estimator<double, 7>;
+extern template class PayloadCompensation<double, 7>;
 extern template class PublishedPipeline<double, 7>;
 extern template class PassiveController<double>;
 extern template class JointLimits<double, 7>;

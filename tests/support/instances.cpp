@@ -2,6 +2,8 @@
 
 namespace rme {
 
+template class StarGaussian<double, 2>;
+template class StarGaussian<double, 3>;
 template class StarGaussian<double, 7>;
 template class Disturbance<double, 7>;
 template class JointTorqueModel<double, 7>;

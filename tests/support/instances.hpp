@@ -5,6 +5,8 @@
 
 namespace rme {
 
+extern template class StarGaussian<double, 2>;
+extern template class StarGaussian<double, 3>;
 extern template class StarGaussian<double, 7>;
 extern template class Disturbance<double, 7>;
 extern template class JointTorqueModel<double, 7>;
