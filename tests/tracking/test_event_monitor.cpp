@@ -203,6 +203,9 @@ TEST_CASE("EventMonitor: a centre of mass is elsewhere from 1 cm on, and from wh
   CHECK(change_of(alike, away) == EventKind::None);
   away.mean[2] = -0.02;
   CHECK(change_of(alike, away) == EventKind::Moved);
+  // Without a covariance, no distance is known to be large.
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  CHECK(change_of(with_com({0, 0, 0.1}, none), with_com({0.03, 0, 0.1}, none)) == EventKind::None);
 }
 
 TEST_CASE("EventMonitor: what has moved is compared with where it is now", "[event_monitor]") {
@@ -261,6 +264,14 @@ TEST_CASE("EventMonitor: what still drifts after an event is compared with what 
   story.see(Mode::Held, 20, 1.0);
   CHECK_FALSE(story.monitor.changing());
   CHECK(story.monitor.last().number == 1);
+}
+
+TEST_CASE("EventMonitor: what is learned of a payload between two events is known before the second",
+          "[event_monitor]") {
+  Story story = holding(1, 0.001);
+  story.see(Mode::Held, 50, 1.2);
+  story.see(Mode::Disturbed, 10, 1.2).see(Mode::Held, 20, 1.2);
+  CHECK(story.kind() == EventKind::Pushed);
 }
 
 TEST_CASE("EventMonitor: what the host says is no event", "[event_monitor]") {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <rme/tracking/friction_regime.hpp>
 #include <rme/tracking/nuisance_process.hpp>
 
 #include "support/catch.hpp"
@@ -45,7 +46,9 @@ TEST_CASE("NuisanceProcess: a rough arm's joint that turns back is noisy for a w
   CHECK(scene.star.joint(0).mean[rme::kResidual] == Approx(kept * std::exp(-0.6 / 0.35)));
   CHECK(scene.star.joint(1).mean[rme::kResidual] == Approx(kept));
   CHECK(scene.deviation(0, rme::kResidual) == Approx(residual).epsilon(0.05));
-  CHECK(scene.model.observation(0, {}).noise > quiet + 0.98 * kRough.turn_noise * residual * residual);
+  // It turned over completely, and rests for 1 %, since it moves a hundred times as fast as what counts as half at rest.
+  const double most = kRough.turn_noise + kRough.stop_noise * 0.003 / 0.303;
+  CHECK(scene.model.observation(0, {}).noise == Approx(quiet + most * residual * residual).epsilon(0.05));
   CHECK(scene.model.observation(1, {}).noise == Approx(scene.model.noise().variance(1)));
   for (int k = 0; k < 50; ++k) scene.block(Joints(-0.3, 0.3));
   CHECK(scene.model.observation(0, {}).noise < quiet + 0.1 * residual * residual);
@@ -212,6 +215,81 @@ TEST_CASE("NuisanceProcess: a rough arm's joint that turns forgets its residual 
       check_life(before, scene.star, j, life);
     }
   }
+}
+
+TEST_CASE("NuisanceProcess: without friction in its torque, a resting joint keeps what it knows of it",
+          "[nuisance_process]") {
+  const unsigned seed = 705;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  Scene scene(Sensing::LinkSide);
+  scene.block(Joints::Zero());
+  const auto before = scene.star = any_star(random);
+  scene.block(Joints::Zero());
+  for (int j = 0; j < kDofs; ++j) check_life(before, scene.star, j, life_of(scene, j, Sensing::LinkSide, 0));
+}
+
+TEST_CASE("NuisanceProcess: how much a joint moves, rests or goes both ways is a share of the block",
+          "[nuisance_process]") {
+  const auto shares = [](const Eigen::Matrix<double, 1, rme::kBlockParts>& velocities) {
+    Scene scene(Sensing::JointFriction);
+    Block block = at_rest();
+    block.velocities.row(0) = velocities;
+    block.velocity[0] = velocities.mean();
+    scene.regime.update(block);
+    scene.model.begin(block, scene.regime, scene.context);
+    const auto c = scene.model.observation(0, {}).c;
+    return std::pair(-c[rme::kCoulomb], c[rme::kStiction]);
+  };
+  CHECK(shares({0, 0, 0, 0}) == std::pair(0.0, 1.0));
+  CHECK(shares({-0.1, -0.1, -0.1, -0.1}) == std::pair(-1.0, 0.0));
+  CHECK(shares({0, 0, 0, 0.1}) == std::pair(0.25, 0.75));
+  CHECK(shares({0.1, 0.1, -0.1, -0.1}) == std::pair(0.0, 0.0));
+}
+
+TEST_CASE("NuisanceProcess: what its caller adds to the residual's variance, the residual is drawn from",
+          "[nuisance_process]") {
+  const unsigned seed = 706;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const rme::SensingKind& kind = rme::kind_of(Sensing::LinkSide);
+  rme::NuisanceProcess<double, kDofs> process(kind, kArm);
+  const rme::SensorNoise<double, kDofs> noise(kind, kArm);
+  Block block = at_rest();
+  block.velocity = Joints(3, -4);
+  block.velocities = block.velocity.replicate<1, rme::kBlockParts>();
+  Regime regime;
+  regime.update(block);
+  process.begin(block, regime, {}, noise);
+  const auto before = any_star(random);
+  auto after = before;
+  const Joints more(0.3, 0.02);
+  process.predict(after, noise, more);
+  const double keep = std::exp(-5 * kPeriod / kind.way);
+  for (int j = 0; j < kDofs; ++j) {
+    Life life;
+    life.F(rme::kResidual, rme::kResidual) = keep;
+    life.Q(rme::kResidual, rme::kResidual) = (1 - keep * keep) * (noise.residual_variance(j) + more[j]);
+    life.Q(rme::kOffset, rme::kOffset) = std::pow(2e-4 * kArm.residual[j], 2);
+    check_life(before, after, j, life);
+  }
+}
+
+TEST_CASE("NuisanceProcess: the noise of joints that turn over is scaled by what has been learned of it",
+          "[nuisance_process]") {
+  Scene scene(Sensing::RoughModel);
+  scene.block(Joints(0.3, 0.3));
+  scene.block(Joints(-0.3, 0.3));
+  for (int k = 0; k < 5; ++k) {  // innovations of thrice the size that is expected
+    scene.model.learn(1, Joints::Constant(3), Joints::Ones());
+    scene.block(Joints(k % 2 == 0 ? 0.3 : -0.3, 0.3));
+  }
+  const auto& noise = scene.model.noise();
+  REQUIRE(noise.turn_scale() > 1.05);
+  const double turned = kRough.turn_noise + kRough.stop_noise * 0.003 / 0.303;
+  const double expected = turned * noise.residual_variance(0) * noise.turn_scale();
+  CHECK(scene.model.observation(0, {}).noise - scene.model.observation(1, {}).noise ==
+        Approx(expected + noise.variance(0) - noise.variance(1)));
 }
 
 }  // namespace
