@@ -254,6 +254,7 @@ TEST_CASE("NuisanceProcess: what its caller adds to the residual's variance, the
   std::mt19937 random(seed);
   const rme::SensingKind& kind = rme::kind_of(Sensing::LinkSide);
   rme::NuisanceProcess<double, kDofs> process(kind, kArm);
+  CHECK((process.arm().coulomb.isZero() && process.arm().viscous.isZero()));  // no friction shows
   const rme::SensorNoise<double, kDofs> noise(kind, kArm);
   Block block = at_rest();
   block.velocity = Joints(3, -4);
