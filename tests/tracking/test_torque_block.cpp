@@ -62,6 +62,7 @@ TEST_CASE("BlockContext: by default nothing is known of the block, and every kin
   CHECK(context.log_share == 0);
   CHECK_FALSE(context.friction_shows);
   CHECK(context.compensation_change.isZero(0));
+  CHECK(Block().observer_time == Approx(1 / 50.0));
 }
 
 TEST_CASE("BlockAverager: a step of the torque is there in full from the first block after it", "[block]") {
@@ -142,11 +143,15 @@ TEST_CASE(
 
 TEST_CASE("BlockAverager: a host with one sample per block has no shorter ones after restart()", "[block]") {
   Averager averager(50, kGravity);
-  const Sample s = at_rest();
+  Sample s = at_rest();
   for (int k = 0; k <= 6; ++k) {
+    s.dq = Joints(0.1, -0.2, 0.3) * k;
     CHECK(averager.add(s, 0.02, 0.02 * k) == (k > 0));
     if (k == 3) averager.restart();
     if (k == 0) continue;
+    // Its velocity is that of each quarter.
+    CHECK((averager.block().velocities.colwise() - averager.block().velocity).norm() < 1e-12);
+    CHECK(averager.block().velocity[2] == Approx(0.3 * k));
     CHECK(averager.block().usual == 0);
     CHECK(averager.block().duration == Approx(0.02).epsilon(1e-12));
   }
