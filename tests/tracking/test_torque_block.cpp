@@ -85,6 +85,9 @@ TEST_CASE("BlockAverager: a step of the torque is there in full from the first b
     CHECK(plain.torque() == s.tau_ext);
   }
   CHECK((plain.block().tau - Joints::Constant(10.5)).norm() < 1e-12);  // of 1 to 20; the first one has no period
+  // A lag is counted in time constants of the stated observer.
+  CHECK(blocks_of(20, torque, always, 25).front().observer_time == Approx(0.04));
+  CHECK(plain.block().observer_time == Approx(0.02));
 }
 
 TEST_CASE("BlockAverager: after restart() comes a short block, and nothing is in it of what was before", "[block]") {
