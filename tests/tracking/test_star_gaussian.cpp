@@ -132,6 +132,17 @@ TEST_CASE("StarGaussian: predict says what the dense Gaussian says of an observa
     CHECK((star.nuisance_mean(j) - mean.segment<kJointNuisances>(first(j))).norm() < 1e-12);
     const auto own = covariance.block<kJointNuisances, kJointNuisances>(first(j), first(j));
     CHECK((star.nuisance_covariance(j) - own).norm() < 1e-11 * covariance.norm());
+    for (int n = 0; n < kJointNuisances; ++n)
+      CHECK(star.nuisance_mean(j, static_cast<rme::Nuisance>(n)) == Approx(mean[first(j) + n]).epsilon(1e-12));
+    double gains = 0;  // given x
+    for (int i = 0; i < kJoints; ++i) gains += star.joint(i).covariance(rme::kGain, rme::kGain) / kJoints;
+    CHECK(star.nuisance_variance(rme::kGain) == Approx(gains).epsilon(1e-12));
+    const Vector tilt = mean.segment(rme::kTilt, 2);
+    const Matrix tilt_square = covariance.block(rme::kTilt, rme::kTilt, 2, 2) + tilt * tilt.transpose();
+    CHECK((star.tilt_square() - tilt_square).norm() < 1e-12 * covariance.norm());
+    Vector arm = Vector::Zero(kShared);
+    arm.head(kArmShared) = p.gain_row.head(kArmShared);
+    CHECK((star.arm_spread(p) - star.factor().transpose() * arm).norm() < 1e-12 * arm.norm() * star.factor().norm());
     CHECK(star.empty() == (k % 2 == 1));
     CHECK(star.mass() == mean[kPayload] + mean[kPoured]);
     Matrix sum = Matrix::Zero(kInertial, kAll);
@@ -354,6 +365,40 @@ TEST_CASE("StarGaussian: an empty hand stays empty, and what it learns of the ar
     CHECK(star.covariance().bottomRows<kInertial>().isZero(0));
     CHECK(star.joint(j).slope.bottomRows<kInertial>().isZero(0));
   }
+}
+
+TEST_CASE("StarGaussian: set_tilt() is the deviation of both angles, and of nothing else", "[star]") {
+  Star star;
+  star.set_tilt(0.04);
+  Matrix expected = Matrix::Zero(kShared, kShared);
+  expected(rme::kTilt, rme::kTilt) = expected(rme::kTilt + 1, rme::kTilt + 1) = 0.04 * 0.04;
+  CHECK((star.covariance() - expected).norm() < 1e-15);
+}
+
+TEST_CASE("StarGaussian: what is known of a payload for certain says nothing of whether there is one", "[star]") {
+  Star star;
+  rme::InertialMatrix<double> factor = rme::InertialMatrix<double>::Zero();
+  factor(0, 0) = 0.5;  // of the mass alone
+  star.draw_payload(rme::InertialVector<double>::Unit(0), factor);
+  CHECK(star.payload_is_none() == Approx(-0.5 * 4 - std::log(0.5)));
+  CHECK(star.empty());
+}
+
+TEST_CASE("StarGaussian: numbers that overflow change nothing", "[star]") {
+  const double endless = std::numeric_limits<double>::infinity();
+  Star star;
+  star.draw_payload(rme::InertialVector<double>::Unit(0), rme::InertialMatrix<double>::Identity());
+  star.set_arm(Arm::Constant(endless));
+  star.forget_payload();
+  CHECK_FALSE(star.empty());
+  CHECK(star.mass() == 1);
+  Star other;
+  other.draw_payload(rme::InertialVector<double>::Unit(0), rme::InertialMatrix<double>::Identity());
+  const rme::Vector4<double> ones = rme::Vector4<double>::Ones();
+  CHECK_FALSE(other.add<kPayload>(ones, rme::Matrix4<double>(endless * ones.asDiagonal().toDenseMatrix()),
+                                  Star::Cross(Star::Cross::Zero())));
+  CHECK(other.mass() == 1);
+  CHECK(other.finite());
 }
 
 TEST_CASE("StarGaussian: finite() checks every part", "[star]") {
