@@ -369,8 +369,9 @@ TEST_CASE("StarGaussian: an empty hand stays empty, and what it learns of the ar
 
 TEST_CASE("StarGaussian: set_tilt() is the deviation of both angles, and of nothing else", "[star]") {
   Star star;
+  star.set_arm(Arm::Constant(0.25));
+  Matrix expected = star.covariance();
   star.set_tilt(0.04);
-  Matrix expected = Matrix::Zero(kShared, kShared);
   expected(rme::kTilt, rme::kTilt) = expected(rme::kTilt + 1, rme::kTilt + 1) = 0.04 * 0.04;
   CHECK((star.covariance() - expected).norm() < 1e-15);
 }
