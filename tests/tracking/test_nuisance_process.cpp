@@ -48,7 +48,7 @@ TEST_CASE("NuisanceProcess: a rough arm's joint that turns back is noisy for a w
   CHECK(scene.deviation(0, rme::kResidual) == Approx(residual).epsilon(0.05));
   // It turned over completely, and rests for 1 %, since it moves a hundred times as fast as what counts as half at rest.
   const double most = kRough.turn_noise + kRough.stop_noise * 0.003 / 0.303;
-  CHECK(scene.model.observation(0, {}).noise == Approx(quiet + most * residual * residual).epsilon(0.05));
+  CHECK(scene.model.observation(0, {}).noise == Approx(quiet + most * residual * residual).epsilon(0.02));
   CHECK(scene.model.observation(1, {}).noise == Approx(scene.model.noise().variance(1)));
   for (int k = 0; k < 50; ++k) scene.block(Joints(-0.3, 0.3));
   CHECK(scene.model.observation(0, {}).noise < quiet + 0.1 * residual * residual);
